@@ -3,7 +3,7 @@
 
 #include "app/window_io.h"
 #include "core/files/file_system.h"
-#include "ui/text/system_text.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>

@@ -9,10 +9,10 @@
 #include "core/setup/setup_run.h"
 #include "core/study/batch_edits.h"
 #include "core/study/outcome.h"
-#include "ui/report/documents/passport_measured.h"
+#include "ui/report/documents/passport.h"
 #include "ui/report/format/report_text.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
 #include <QDir>

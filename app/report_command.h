@@ -3,7 +3,7 @@
 
 #include "app/manual/given.h"
 #include "ui/report/course/course_papers.h"
-#include "ui/report/course/institution.h"
+#include "ui/report/course/paper_writer.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/session/company.h"
 

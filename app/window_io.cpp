@@ -11,7 +11,6 @@
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
-#include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
 #include <QStringList>

@@ -3,7 +3,7 @@
 
 #include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 
 #include <QCoreApplication>
 

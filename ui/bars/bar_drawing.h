@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ui/bars/bar_chart.h"
-#include "ui/bars/bar_scale.h"
 #include "ui/bars/chart_scene.h"
 
 #include <QFontMetricsF>

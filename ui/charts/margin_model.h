@@ -5,7 +5,7 @@
 #include "core/study/outcome.h"
 #include "ui/charts/light_icon.h"
 #include "ui/tables/csv_table.h"
-#include "ui/tables/table_model.h"
+#include "ui/tables/value_table.h"
 
 #include <QStyledItemDelegate>
 

@@ -6,19 +6,22 @@
 #include "core/quality/form_outputs.h"
 #include "core/quality/light.h"
 #include "core/quality/roughness.h"
+#include "core/quality/shop_numbers.h"
 #include "core/units.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/tables/output_cells.h"
+#include "ui/text/field_text.h"
 #include "ui/text/names.h"
-#include "ui/text/output_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace sparkout {
 
@@ -175,6 +178,173 @@ CsvTable zoneTable(const Outcome& outcome) {
         table.rows.push_back(std::move(cells));
     }
     return table;
+}
+
+namespace {
+
+struct ShopText {
+    Q_DECLARE_TR_FUNCTIONS(ShopText)
+};
+
+/// The stages and the cycle, which is the last.
+std::vector<const ShopColumn*> columnsOf(const ShopNumbers& shop) {
+    std::vector<const ShopColumn*> columns;
+    for (const ShopColumn& stage : shop.stages) {
+        columns.push_back(&stage);
+    }
+    columns.push_back(&shop.cycle);
+    return columns;
+}
+
+bool isTime(const OutputRow& row) {
+    return std::string_view(row.unitShown()) == "min";
+}
+
+ValueHead headOf(const OutputRow& row, Operation operation, const TimeUnit& unit) {
+    const bool revolutions = !operation->travels;
+    if (isTime(row)) {
+        const QString name = unit.titled(outputLabel(row));
+        return {name, name, outputHint(row), row.key};
+    }
+    return {outputBrief(row, revolutions), outputName(row, revolutions), outputHint(row), row.key};
+}
+
+QString textOf(const OutputRow& row, const OutputValue& value, const TimeUnit& unit) {
+    const std::optional<double> time_min =
+        isTime(row) ? outputNumber(row, value) : std::optional<double>();
+    return time_min ? threeDigits(unit.of(*time_min * units::secondsPerMinute))
+                    : outputText(row, value);
+}
+
+/// Where a peak was, or what a number is made of; empty for most.
+QString detailOf(std::string_view key, const ShopColumn& column, Operation operation) {
+    if (column.depth_mm.value <= 0) {
+        return {};
+    }
+    if (key == "peak_power_w") {
+        return Names::place(column.power_w.at, operation);
+    }
+    if (key == "peak_normal_force_n") {
+        return Names::place(column.normalForce_n.at, operation);
+    }
+    if (key == "specific_energy_j_mm3" || key == "mean_power_w") {
+        return ShopText::tr("%1 kJ for %2 mm³ in %3 of grinding")
+            .arg(Names::significant(column.energy_j / units::jPerKj),
+                 Names::significant(column.removedVolume_mm3), Names::time(column.time_s));
+    }
+    if (key == "removal_rate_mm3_mm_s" || key == "equivalent_chip_um" || key == "aggressiveness") {
+        return ShopText::tr("a = %1 µm: %2")
+            .arg(Names::significant(column.depth_mm.value * units::umPerMm),
+                 Names::place(column.depth_mm.at, operation));
+    }
+    return {};
+}
+
+QString sideText(BandSide side) {
+    switch (side) {
+    case BandSide::below: return ShopText::tr("below the usual");
+    case BandSide::above: return ShopText::tr("above the usual");
+    default: return {};
+    }
+}
+
+/// Adds `text` with the stages of a side as %1; nothing if there are none.
+void addRemark(QStringList& sentences, const ShopNumbers& shop,
+               BandSide (ShopColumn::*band)() const, BandSide side, const QString& text) {
+    QStringList stages;
+    for (std::size_t z = 0; z < shop.stages.size(); ++z) {
+        if ((shop.stages[z].*band)() == side) {
+            stages << QString::number(z + 1);
+        }
+    }
+    if (!stages.isEmpty()) {
+        sentences << text.arg(stages.join(QStringLiteral(", ")));
+    }
+}
+
+} // namespace
+
+ValueTable shopTable(const Outcome& outcome) {
+    const ShopNumbers& shop = outcome.shop;
+    const Operation operation = outcome.result.project.operation;
+    ValueTable table;
+    table.corner = ShopText::tr("Quantity");
+    table.remarks = ShopText::tr("Outside the usual");
+    if (shop.stages.empty()) {
+        return table;
+    }
+    for (std::size_t z = 1; z <= shop.stages.size(); ++z) {
+        table.columns.push_back({QString::number(z), ShopText::tr("Stage %1").arg(z), {}});
+    }
+    table.columns.push_back({ShopText::tr("Cycle"), ShopText::tr("Whole cycle"), {}});
+    const std::vector<const ShopColumn*> columns = columnsOf(shop);
+    const TimeUnit unit(shop.cycle.time_s);
+    for (const Output<ShopColumn>& row : shopColumnOutputs()) {
+        std::vector<ValueCell> cells;
+        bool hasValue = false;
+        for (const ShopColumn* column : columns) {
+            const OutputValue value = row.of(*column);
+            hasValue = hasValue || value.index() != 0;
+            cells.push_back({textOf(row, value, unit), sideText(row.bandOf(*column)),
+                             detailOf(row.key, *column, operation)});
+        }
+        if (!row.detail && (hasValue || !row.sparse)) {
+            table.rows.push_back(headOf(row, operation, unit));
+            table.cells.push_back(std::move(cells));
+        }
+    }
+    for (const Output<ShopNumbers>& row : shopOutputs()) { // shown in the cycle's column
+        if (!row.detail) {
+            std::vector<ValueCell> cells(columns.size());
+            cells.back() = {outputText(row, row.of(shop)),
+                            row.bandOf(shop) == BandSide::above
+                                ? ShopText::tr("near a whole number")
+                                : QString(),
+                            {}};
+            table.rows.push_back(headOf(row, operation, unit));
+            table.cells.push_back(std::move(cells));
+        }
+    }
+    return table;
+}
+
+CsvTable stageTable(const ShopNumbers& shop, Operation operation) {
+    CsvTable table;
+    table.header << ShopText::tr("Stage");
+    addOutputHeads(table.header, shopColumnOutputs(), !operation->travels);
+    addOutputHeads(table.header, shopOutputs());
+    const auto add = [&](CsvCell name, const ShopColumn& column, const ShopNumbers* whole) {
+        std::vector<CsvCell>& cells = table.rows.emplace_back();
+        cells.push_back(std::move(name));
+        addOutputCells(cells, shopColumnOutputs(), &column);
+        addOutputCells(cells, shopOutputs(), whole);
+    };
+    for (std::size_t z = 0; z < shop.stages.size(); ++z) {
+        add(static_cast<double>(z + 1), shop.stages[z], nullptr);
+    }
+    add(ShopText::tr("Cycle"), shop.cycle, &shop);
+    return table;
+}
+
+QStringList shopRemarks(const ShopNumbers& shop) {
+    QStringList sentences;
+    addRemark(sentences, shop, &ShopColumn::specificEnergyBand, BandSide::below,
+              ShopText::tr("Specific energy below %2 J/mm³ (stage %1): too little to be true; "
+                           "the wheel's dullness or the flow stress may be set too low.")
+                  .arg(QStringLiteral("%1"), Names::significant(leastSpecificEnergy_j_mm3, 2)));
+    addRemark(sentences, shop, &ShopColumn::specificEnergyBand, BandSide::above,
+              ShopText::tr("Specific energy above %2 J/mm³ (stage %1): the wheel rubs more than "
+                           "it cuts, as it does late in spark-out or when dull.")
+                  .arg(QStringLiteral("%1"), Names::significant(mostSpecificEnergy_j_mm3, 2)));
+    addRemark(sentences, shop, &ShopColumn::overlapBand, BandSide::below,
+              ShopText::tr("Overlap below 1 (stage %1): the table advances more than the wheel's "
+                           "width in a revolution, strips stay unground."));
+    if (shop.ratioNearInteger()) {
+        sentences << ShopText::tr("Wheel and work turn %1 : 1, near a whole number: waves of the "
+                                  "wheel print onto one another. Change the work speed a little.")
+                         .arg(threeDigits(shop.rotationRatio));
+    }
+    return sentences;
 }
 
 } // namespace sparkout

@@ -5,8 +5,10 @@
 #include "ui/tables/csv_table.h"
 #include "ui/tables/value_table.h"
 
-/// Results as tables with all their digits, in the current language: for saving the tables of the
-/// window, and for exporting a whole result.
+#include <QStringList>
+
+/// Results and the shop's numbers as tables with all their digits, in the current language: for
+/// saving the tables of the window, and for exporting a whole result.
 namespace sparkout {
 
 /// A row for each requirement: value, limit, margin, their unit, and its worst place in the cycle.
@@ -20,5 +22,14 @@ namespace sparkout {
 
 /// The final state of each zone or section, one per row.
 [[nodiscard]] CsvTable zoneTable(const Outcome& outcome);
+
+/// The shop's numbers: a row for each quantity, a column for each stage and a last one for the
+/// whole cycle; empty without a run.
+[[nodiscard]] ValueTable shopTable(const Outcome& outcome);
+/// A row for each stage, and a last one for the whole cycle; with all digits.
+[[nodiscard]] CsvTable stageTable(const ShopNumbers& shop, Operation operation);
+
+/// The values outside their band and their meaning, in sentences.
+[[nodiscard]] QStringList shopRemarks(const ShopNumbers& shop);
 
 } // namespace sparkout

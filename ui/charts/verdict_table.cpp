@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/verdict_table.h"
 
-#include "core/quality/light.h"
+#include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/wheel.h"
+#include "core/quality/diameter_shares.h"
+#include "core/units.h"
 #include "ui/charts/margin_model.h"
 #include "ui/text/calibration_text.h"
 #include "ui/text/limit_names.h"
@@ -9,9 +14,12 @@
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 namespace sparkout {
@@ -174,3 +182,204 @@ ValueTable verdictTable(const Outcome* outcome, const LightIcons& icons) {
 }
 
 } // namespace sparkout
+
+namespace sparkout::verdict {
+
+namespace {
+
+struct VerdictWhy {
+    Q_DECLARE_TR_FUNCTIONS(VerdictWhy)
+public:
+    static QString diameter(const Outcome& outcome, const ConstraintResult& c);
+    static QString form(const Outcome& outcome, const ConstraintResult& c);
+    static QString wholePart(const Outcome& outcome);
+    static QString place(const Outcome& outcome, const ConstraintResult& c);
+};
+
+/// The least difference of the ratio from 1 at which it is stated.
+constexpr double tellingRatio = 0.05;
+
+QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) {
+    const bool smallest = c.kind == ConstraintKind::diameterMin;
+    const DiameterShares shares =
+        diameterShares(outcome.result, static_cast<std::size_t>(c.section),
+                       smallest ? DiameterEnd::smallest : DiameterEnd::largest);
+    const QString zone = Names::within(Names::zone(c.zone, c.section));
+    QString own = tr("%1 against the gauge %2 µm", "zone")
+                      .arg(zone, Names::signedMicrometres(shares.section_um));
+    if (std::abs(shares.complianceRatio - 1) > tellingRatio) {
+        own += tr(" (compliance %1 of the gauged one's)")
+                   .arg(QStringLiteral("×") + Names::significant(shares.complianceRatio));
+    }
+    const QStringList parts{
+        tr("gauge at the end %1 µm").arg(Names::signedMicrometres(shares.reading_um)), own,
+        tr("spread in the section %1 µm").arg(Names::signedMicrometres(shares.form_um))};
+    const QString text =
+        tr("%1 in %2, %3 µm from nominal: %4.")
+            .arg(Names::constraint(c.kind), zone, Names::signedMicrometres(c.value),
+                 parts.join(QStringLiteral("; ")));
+    const auto index = static_cast<std::size_t>(c.section);
+    if (index >= outcome.result.ifEven.size()) {
+        return text;
+    }
+    const DeviationRange& even = outcome.result.ifEven[index];
+    return text
+           + tr(" With an even number of lobes: %1 µm.")
+                 .arg(Names::signedMicrometres((smallest ? even.least_mm : even.most_mm)
+                                               * units::umPerMm));
+}
+
+QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
+    const Project& project = outcome.result.project;
+    const double own_um =
+        c.kind == ConstraintKind::radialRunout ? addedRunout_um(*project.machine) : 0;
+    const double blank_um = initialRunout(*project.part) * units::umPerMm;
+    const double left_um = c.value - own_um;
+    QString text =
+        tr("%1 in %2: the blank has %3 µm, the end of the cycle %4 µm")
+            .arg(Names::constraint(c.kind), Names::within(Names::zone(c.zone, c.section)),
+                 Names::micrometres(blank_um), Names::micrometres(left_um));
+    if (own_um > 0) {
+        text += tr("; the machine's own runout adds %1 µm").arg(Names::micrometres(own_um));
+    }
+    if (own_um > c.limit) {
+        return text + tr(", more than the limit: no cycle can meet it.");
+    }
+    if (!c.knowsMachine) {
+        text += tr("; what the machine adds is not known");
+    } else if (project.machine->form) {
+        text += tr(", with what the machine prints");
+    }
+    return c.holds ? text + u'.'
+                   : text + tr(". More passes without feed or a smaller last feed reduce it.");
+}
+
+/// Compares mean radii with their own mean, and the roundness of the worst section.
+QString VerdictWhy::wholePart(const Outcome& outcome) {
+    QStringList parts;
+    double mean_mm = 0, form_mm = 0;
+    const std::vector<SectionAccuracy>& sections = outcome.accuracy.sections;
+    for (const SectionAccuracy& section : sections) {
+        mean_mm += section.meanRadius_mm / static_cast<double>(sections.size());
+        form_mm = std::max(form_mm, section.leastSquares.deviation());
+    }
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 1; i < sections.size(); ++i) {
+        low = sections[i].meanRadius_mm < sections[low].meanRadius_mm ? i : low;
+        high = sections[i].meanRadius_mm > sections[high].meanRadius_mm ? i : high;
+    }
+    for (const std::size_t i : std::set{low, high}) {
+        parts << QStringLiteral("%1 %2").arg(
+            Names::within(Names::zone(outcome.result.sections[i].zone, static_cast<int>(i))),
+            Names::signedMicrometres((sections[i].meanRadius_mm - mean_mm) * units::umPerMm));
+    }
+    return tr("Mean radii along the part, µm from their own mean: %1; the worst section is %2 µm "
+              "out of round.")
+        .arg(parts.join(QStringLiteral(", ")), Names::micrometres(form_mm * units::umPerMm));
+}
+
+/// The number of the last stage up to this one that feeds, from 1.
+int lastFeeding(const Cycle& cycle, int stage) {
+    while (stage > 1 && !cycle.stages[static_cast<std::size_t>(stage) - 1].feeds()) {
+        --stage;
+    }
+    return stage;
+}
+
+QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
+    const QString place = Names::place(*c.at, outcome.result.project.operation);
+    if (c.kind == ConstraintKind::roughness) {
+        return tr("%1: left by the last cut (%2).").arg(Names::constraint(c.kind), place);
+    }
+    const QString text = tr("%1: worst in %2.").arg(Names::constraint(c.kind), place);
+    return c.holds ? text
+                   : text
+                         + tr(" A smaller feed in stage %1 or a sharper wheel lowers it.")
+                               .arg(lastFeeding(*outcome.result.project.cycle, c.at->stage));
+}
+
+/// The largest axial feed with an overlap [mm/min]; with an overlap of 1 it leaves no strips.
+QString mostAxialFeed(const Project& project, double overlap = 1) {
+    return Names::significant(project.wheel->width_mm * project.machine->work_speed_rpm / overlap,
+                              4);
+}
+
+} // namespace
+
+QString why(const Outcome& outcome, const ConstraintResult& requirement) {
+    if (!requirement.isWhole) {
+        return VerdictWhy::tr("%1: not known, since strips stay uncut; an axial feed of at most "
+                              "%2 mm/min leaves none.")
+            .arg(Names::constraint(requirement.kind), mostAxialFeed(outcome.result.project));
+    }
+    switch (requirement.kind) {
+    case ConstraintKind::overlap:
+        return VerdictWhy::tr("The wheel's width times the work speed over the axial feed; 1 is "
+                              "reached at %1 mm/min.")
+            .arg(mostAxialFeed(outcome.result.project));
+    case ConstraintKind::leastOverlap:
+    case ConstraintKind::leastOverlapLast:
+        return VerdictWhy::tr("The wheel's width times the work speed over the axial feed; %1 is "
+                              "reached at %2 mm/min.")
+            .arg(Names::amount(requirement.kind, requirement.limit, false),
+                 mostAxialFeed(outcome.result.project, requirement.limit));
+    case ConstraintKind::leastSteps:
+        return VerdictWhy::tr("This is the minimum over the stages with stock; a smaller feed or "
+                              "more stock in stage %1 increases it.")
+            .arg(requirement.stage);
+    case ConstraintKind::diameterMin:
+    case ConstraintKind::diameterMax: return VerdictWhy::diameter(outcome, requirement);
+    case ConstraintKind::radialRunout:
+    case ConstraintKind::roundness: return VerdictWhy::form(outcome, requirement);
+    case ConstraintKind::cylindricity:
+    case ConstraintKind::totalRunout: return VerdictWhy::wholePart(outcome);
+    default: return requirement.at ? VerdictWhy::place(outcome, requirement) : QString();
+    }
+}
+
+std::string inputPath(const ConstraintResult& requirement) {
+    const Requirement& row = requirementOf(requirement.kind);
+    if (requirement.stage > 0 && row.settingOfStage) {
+        return "/cycle/stages/" + std::to_string(requirement.stage - 1) + '/' + row.settingOfStage;
+    }
+    return row.setting ? row.setting : "";
+}
+
+const ConstraintResult* worst(const Outcome& outcome) {
+    return worstRequirement(outcome.constraints);
+}
+
+} // namespace sparkout::verdict
+
+namespace sparkout::verdict {
+
+namespace {
+
+struct VerdictText {
+    Q_DECLARE_TR_FUNCTIONS(VerdictText)
+};
+
+QString minutes(double time_s) {
+    return VerdictText::tr("%1 min").arg(Names::significant(time_s / units::secondsPerMinute));
+}
+
+} // namespace
+
+/// In seconds first below two minutes, as grinders count a plunge.
+QString time(const SimulationResult& result) {
+    const QString seconds = Names::significant(result.time_s, 4);
+    return result.time_s < shortTime_s
+               ? VerdictText::tr("%1 s (%2)").arg(seconds, minutes(result.time_s))
+               : VerdictText::tr("%1 (%2 s)").arg(minutes(result.time_s), seconds);
+}
+
+QString status(const SimulationResult& result) {
+    if (result.status != RunStatus::cannotReachSize && result.status != RunStatus::tooLong) {
+        return Names::status(result.status);
+    }
+    return VerdictText::tr("%1: the gauge reads %2 mm, %3 µm per side remain")
+        .arg(Names::status(result.status), Names::millimetres(result.gaugeReading_mm),
+             Names::micrometres(result.remainingStock_mm * units::umPerMm));
+}
+
+} // namespace sparkout::verdict

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/quality/light.h"
+#include "core/simulation/result.h"
 #include "core/study/outcome.h"
 #include "ui/charts/light_icon.h"
 #include "ui/tables/value_table.h"
 
 #include <QString>
 
+#include <string>
 #include <vector>
 
 namespace sparkout {
@@ -28,3 +30,27 @@ enum class VerdictColumn { requirement, value, limit, margin };
 [[nodiscard]] ValueTable verdictTable(const Outcome* outcome, const LightIcons& icons);
 
 } // namespace sparkout
+
+namespace sparkout::verdict {
+
+/// Explains the value of a requirement in a sentence or two with the numbers: for a diameter the
+/// parts of its deviation, for a form error the remainder of the blank's, for a limit on passes its
+/// worst place.
+[[nodiscard]] QString why(const Outcome& outcome, const ConstraintResult& requirement);
+
+/// JSON pointer of the input limited by a requirement on a setting; empty for the others.
+[[nodiscard]] std::string inputPath(const ConstraintResult& requirement);
+
+/// The most important requirement of the verdict: the worst unmet, otherwise the closest; null
+/// without any.
+[[nodiscard]] const ConstraintResult* worst(const Outcome& outcome);
+
+} // namespace sparkout::verdict
+
+/// The texts of the verdict, plain.
+namespace sparkout::verdict {
+
+[[nodiscard]] QString time(const SimulationResult& result);   ///< "2.41 min (144.6 s)"
+[[nodiscard]] QString status(const SimulationResult& result); ///< including a shortfall of size
+
+} // namespace sparkout::verdict

@@ -3,7 +3,7 @@
 
 #include "ui/dialogs/value_model.h"
 #include "ui/session/settings.h"
-#include "ui/tables/copied_cells.h"
+#include "ui/tables/pasted_cells.h"
 
 #include <QContextMenuEvent>
 #include <QHeaderView>

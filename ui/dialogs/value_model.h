@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tables/table_model.h"
 #include "ui/tables/value_table.h"
 
 namespace sparkout {

@@ -4,13 +4,11 @@
 #include "core/format/project_file.h"
 #include "core/project/gauge.h"
 #include "core/study/search_edits.h"
-#include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/plot/run_bar.h"
-#include "ui/plot/study_view.h"
+#include "ui/plot/plot_view.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "ui/dynamic_programming/state_grid_outcome.h"
+#include "ui/dynamic_programming/state_grid_text.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/dynamic_programming/state_grid_layer.h"
-#include "ui/dynamic_programming/state_grid_outcome.h"
+#include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/plot/chart_plot.h"
 
 #include <optional>
 #include <utility>
 
 namespace sparkout {
+
+class StateGridLayer;
+
+/// The parts that can be hidden: keys of the legend.
+enum class GridPart { rulePath, provenPath, wrong, noMove, moves };
 
 /// The coordinate grid of dynamic programming: stock left across, feeds up, a cell for each state,
 /// at a moment of its filling. A click selects a state.
@@ -23,12 +27,8 @@ public:
     void setMoment(int number) { m_number = number; } ///< no replot
     [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }
     [[nodiscard]] int moment() const { return m_number; }
-    [[nodiscard]] QRectF stateRect(int level, std::size_t feed) const {
-        return m_layer->cell(level, feed);
-    }
-    [[nodiscard]] QString cellText(int level, std::size_t feed) const {
-        return m_layer->cellText(level, feed);
-    }
+    [[nodiscard]] QRectF stateRect(int level, std::size_t feed) const;
+    [[nodiscard]] QString cellText(int level, std::size_t feed) const;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override; ///< every state
 

@@ -9,7 +9,6 @@
 #include "core/units.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/run_table.h"
-#include "ui/charts/shop_table.h"
 #include "ui/dialogs/table_file.h"
 #include "ui/tables/sheet.h"
 #include "ui/text/example_texts.h"

@@ -3,7 +3,7 @@
 
 #include "core/study/outcome.h"
 #include "ui/export/study_book.h"
-#include "ui/tables/xlsx_book.h"
+#include "ui/tables/sheet.h"
 
 #include <array>
 #include <optional>

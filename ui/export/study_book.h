@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/session/studies.h"
-#include "ui/tables/xlsx_book.h"
+#include "ui/tables/sheet.h"
 
 #include <QString>
 

@@ -56,4 +56,18 @@ Remark remarkAt(const Issues& issues, const std::string& path) {
     return worstOf(issues, path, false);
 }
 
+ReasonLabel::ReasonLabel(QWidget* parent) : QLabel(parent) {
+    setTextFormat(Qt::PlainText);
+    setWordWrap(true);
+    setVisible(false);
+}
+
+void ReasonLabel::showRemark(const Remark& remark) {
+    QPalette colors = parentWidget()->palette();
+    colors.setColor(QPalette::WindowText, markColor(remark.mark, colors));
+    setPalette(colors);
+    setText(remark.reason);
+    setVisible(remark.mark != Mark::none);
+}
+
 } // namespace sparkout

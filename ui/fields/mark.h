@@ -5,8 +5,11 @@
 
 #include <QColor>
 #include <QIcon>
+#include <QLabel>
 #include <QPalette>
 #include <QString>
+
+#include <string>
 
 /// The marks of refused, unusual or missing values in all inputs.
 namespace sparkout {
@@ -33,5 +36,21 @@ struct Remark {
 
 /// The worst issue at a path itself.
 [[nodiscard]] Remark remarkAt(const Issues& issues, const std::string& path);
+
+/// A text refused by the forms: its place and the reason.
+struct Refusal {
+    std::string path;
+    QString reason;
+};
+
+/// The reason of a mark in the mark's colour; hidden if there is none.
+class ReasonLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit ReasonLabel(QWidget* parent = nullptr);
+
+    void showRemark(const Remark& remark);
+};
 
 } // namespace sparkout

@@ -2,16 +2,38 @@
 #pragma once
 
 #include "core/field.h"
-#include "ui/fields/cells_line_edit.h"
 #include "ui/fields/mark.h"
+#include "ui/tables/pasted_cells.h"
 #include "ui/text/shown_scale.h"
 
+#include <QLineEdit>
 #include <QTimer>
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace sparkout {
+
+/// A text field that passes on several cells of a spreadsheet when they are pasted.
+class CellsLineEdit : public QLineEdit {
+    Q_OBJECT
+
+public:
+    using QLineEdit::QLineEdit;
+
+    /// Sets the receiver of cells; without one they are pasted as text.
+    void setTakesCells(std::function<void(const PastedCells&)> take) { m_take = std::move(take); }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    bool takeCells();
+
+    std::function<void(const PastedCells&)> m_take;
+};
 
 /// The allowed numbers of a field.
 struct NumberSpec {

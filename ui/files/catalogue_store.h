@@ -11,6 +11,16 @@
 
 namespace sparkout {
 
+/// A text in its form for searching: case, ё and е, decimal comma and point, and letters that look
+/// alike in Cyrillic and Latin (25А and 25A, 500×50 and 500x50) make no difference.
+[[nodiscard]] QString searchForm(const QString& text);
+
+/// A grade in Latin letters, as used in papers: ШХ15 → ShKh15.
+[[nodiscard]] QString inLatinLetters(const QString& text);
+
+/// Whether a text in its search form contains every word of a query.
+[[nodiscard]] bool matchesQuery(const QString& searchFormOfText, const QString& query);
+
 enum class CatalogueKind { materials, wheels, machines };
 
 using CatalogueEntry = std::variant<MaterialEntry, WheelEntry, MachineEntry>;
@@ -64,5 +74,28 @@ protected:
     std::vector<CatalogueItem> m_items;
     QString m_fault;
 };
+
+/// An input given by a catalogue entry.
+struct CatalogueChange {
+    const Field* field;
+    std::string key; ///< within the entry's value: "stiffness_n_um/headstock"
+    QString now;     ///< value in the project, translated, without its unit
+    QString then;    ///< value in the entry; "not known"
+    bool changed;
+    const ValueSource* source; ///< null for texts
+};
+
+/// Shown for a value that is unknown to an entry.
+[[nodiscard]] QString notKnown();
+
+/// The changes to a project by applying an entry, and the unchanged values, in the order of the
+/// tables. The sources are those of the entry.
+[[nodiscard]] std::vector<CatalogueChange> changesBy(const CatalogueEntry& entry,
+                                                     const Project& project);
+
+/// A value's source as text: the reference and its note, or "estimate", with its plausible range.
+[[nodiscard]] QString sourceShown(const ValueSource& source, const Field& field, bool own);
+/// The references of an entry, each once.
+[[nodiscard]] QString sourcesShown(const CatalogueItem& item);
 
 } // namespace sparkout

@@ -1,15 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/files/autosave.h"
+#include "core/files/safe_file.h"
 #include "ui/files/guarded_file.h"
+#include "ui/files/recovery_store.h"
+#include "ui/session/background.h"
 
+#include <QObject>
+#include <QTimer>
+
+#include <chrono>
 #include <memory>
 #include <optional>
 
 namespace sparkout {
 
 class Document;
+
+/// Keeps a recovery file of the document while it has unsaved changes: shortly after the last
+/// change, and with little delay during long typing. Never touches the user's file.
+class Autosave : public QObject {
+    Q_OBJECT
+
+public:
+    struct Times {
+        std::chrono::milliseconds idle{2'000};    ///< after the last change
+        std::chrono::milliseconds latest{30'000}; ///< after the first change not yet written
+    };
+
+    Autosave(Document& document, RecoveryStore store, Times times, QObject* parent = nullptr);
+    Autosave(Document& document, RecoveryStore store, QObject* parent = nullptr);
+    /// Keeps the last changes, if there are any that nobody gave up.
+    ~Autosave() override;
+
+    /// Continues in the recovery file of a crashed session.
+    void adopt(RecoveryClaimPtr claim);
+    void saved();   ///< the user's file is up to date: removes the recovery file
+    void discard(); ///< the user discarded the changes: moves it to the discarded ones
+    void flush();   ///< writes pending changes and waits
+
+    [[nodiscard]] QString file() const; ///< empty if there is none
+
+signals:
+    void written();
+    void failed(sparkout::FileError error); ///< tried again at the next change
+
+private:
+    void noteChange();
+    void write();
+    void stop();
+    void moveAway();
+
+    Document& m_document;
+    RecoveryStore m_store;
+    RecoveryClaimPtr m_claim;
+    QTimer m_idle;
+    QTimer m_latest;
+    Background m_background;
+};
 
 /// The guarded file of the document, and its recovery after a crash.
 class FileGuard : public GuardedFile {

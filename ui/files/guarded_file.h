@@ -1,16 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/files/backup_history.h"
+#include "core/files/safe_file.h"
 #include "ui/files/file_lock.h"
-#include "ui/files/file_watch.h"
+#include "ui/session/background.h"
 #include "ui/session/project_io.h"
 
+#include <QDateTime>
+#include <QFileSystemWatcher>
 #include <QObject>
+#include <QString>
+#include <QTimer>
 
+#include <chrono>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace sparkout {
+
+/// Limits on the kept versions of one file.
+struct BackupCaps {
+    int files = 25;
+    int filesADay = 5;
+    qint64 bytes = qint64{100} << 20;
+    std::chrono::seconds apart{300}; ///< least time between kept versions
+};
+
+/// An earlier version of a file.
+struct EarlierVersion {
+    QString file;
+    QDateTime when; ///< time of its replacement
+    qint64 bytes = 0;
+};
+
+/// The versions of a file that saving replaced, in a folder of the program. (The last one is also
+/// beside the file as NAME.bak.)
+class BackupHistory {
+public:
+    explicit BackupHistory(const QString& stateFolder, BackupCaps caps = {});
+
+    enum class Whose {
+        own,    ///< may be dropped soon after the last kept one
+        foreign ///< perhaps the only copy: always kept
+    };
+    /// Keeps these bytes, which a save is about to replace, within the limits, and drops versions
+    /// that exceed them. The first version of a day outlives the others of that day.
+    std::optional<FileError> keep(const QString& path, std::string_view bytes, const QDateTime& now,
+                                  Whose whose = Whose::own) const;
+    [[nodiscard]] std::vector<EarlierVersion> versions(const QString& path) const; ///< newest first
+
+    [[nodiscard]] QString folderOf(const QString& path) const;
+
+private:
+    void drop(std::vector<EarlierVersion> versions, const QDateTime& now) const;
+
+    QString m_folder;
+    BackupCaps m_caps;
+};
+
+/// The versions in the history and the NAME.bak beside the file, newest first.
+[[nodiscard]] std::vector<EarlierVersion> earlierVersions(const BackupHistory& history,
+                                                          const QString& path);
+
+/// Detects changes of the document's file by other programs. The system reports events in its
+/// folder, including replaced files; check() works without these, as on a network disk. The hash of
+/// the contents decides, so rewriting the same text is not a change.
+class FileWatch : public QObject {
+    Q_OBJECT
+
+public:
+    explicit FileWatch(QObject* parent = nullptr);
+
+    /// Watches this file, known to have `hash`. An empty path ends it.
+    void follow(const QString& path, const QByteArray& hash);
+    void pause(); ///< until follow(), while the document writes the file
+    void check(); ///< reports by changed(), later
+
+signals:
+    /// The file differs from the document's; emitted once for each contents.
+    void changed(sparkout::DiskState state);
+    void restored(); ///< after changed(): the file has the document's contents again
+
+private:
+    void watchPaths();
+    void look();
+    void judge(const DiskState& state, const std::optional<FileStamp>& stamp);
+
+    QString m_path;
+    QByteArray m_known;
+    QByteArray m_told; ///< hash reported last
+    bool m_toldMissing = false;
+    std::optional<FileStamp> m_stamp;
+    quint64 m_round = 0; ///< answers to an older question are dropped
+    QFileSystemWatcher m_watcher;
+    QTimer m_settle;
+    Background m_background;
+};
 
 /// A file that the window owns, with a project, a work or a lesson: its lock, changes by others,
 /// safe saving, and earlier versions. It asks no questions; GuardQuestions does.

@@ -5,7 +5,7 @@
 #include "ui/form/number_editor.h"
 #include "ui/form/numbers_editor.h"
 #include "ui/form/text_editor.h"
-#include "ui/text/defaults.h"
+#include "ui/text/field_text.h"
 
 #include <QComboBox>
 #include <QKeyEvent>

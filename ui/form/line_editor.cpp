@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/line_editor.h"
 
-#include "ui/fields/cells_line_edit.h"
+#include "ui/fields/number_field.h"
 #include "ui/text/texts.h"
 
 namespace sparkout {

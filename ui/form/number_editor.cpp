@@ -6,7 +6,6 @@
 #include "ui/fields/value_slider.h"
 #include "ui/session/slider_scale.h"
 #include "ui/text/shown_scale.h"
-#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 #include <utility>

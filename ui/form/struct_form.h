@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/fields/refusal.h"
+#include "ui/fields/mark.h"
 #include "ui/form/choice_editor.h"
 
 #include <QString>

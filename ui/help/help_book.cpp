@@ -3,8 +3,8 @@
 
 #include "ui/help/glossary.h"
 #include "ui/help/help_words.h"
-#include "ui/text/help_fields.h"
-#include "ui/text/source_names.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/texts.h"
 
 #include <QCoreApplication>
 #include <QFile>

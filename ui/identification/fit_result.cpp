@@ -2,9 +2,8 @@
 #include "ui/identification/fit_result.h"
 
 #include "core/identification/fit_data.h"
-#include "ui/identification/fit_table.h"
 #include "ui/identification/fit_words.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/plot/chart_plot.h"

@@ -4,11 +4,15 @@
 #include "core/identification/identification.h"
 #include "core/project/measured.h"
 #include "core/project/project.h"
+#include "ui/dialogs/copy_table.h"
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 #include <vector>
+
+class QStandardItemModel;
 
 namespace sparkout {
 
@@ -45,6 +49,22 @@ public:
     static QString interval(FittedKind kind, const Interval& interval);
     /// The name of a calibration's data: "trace.csv, 12 parts".
     static std::string data(const Project& project, const std::vector<int>& traces, bool withParts);
+};
+
+/// A table of a fit, as high as its rows: the first column texts, the others numbers.
+class FitTable : public CopyTable {
+    Q_OBJECT
+
+public:
+    explicit FitTable(const QString& name, QWidget* parent = nullptr);
+
+    void setCells(const QStringList& head, const std::vector<QStringList>& rows);
+
+private:
+    void fitHeight();
+    [[nodiscard]] QString text() const;
+
+    QStandardItemModel* m_model;
 };
 
 } // namespace sparkout

@@ -1,28 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/identification/stiffness_page.h"
 
+#include "core/measured/stiffness_table.h"
 #include "core/process/system_compliance.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/units.h"
-#include "ui/identification/fit_table.h"
+#include "ui/fields/mark.h"
 #include "ui/identification/fit_words.h"
-#include "ui/identification/stiffness_model.h"
 #include "ui/identification/stiffness_sheet.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/metrics.h"
+#include "ui/tables/pasted_cells.h"
+#include "ui/tables/value_table.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
 #include "words/trial_words.h"
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDate>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLocale>
+#include <QPalette>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
@@ -33,11 +40,204 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <set>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace sparkout {
+
+/// The readings of a stiffness trial, typed or pasted: place, load and deflection. A row without a
+/// deflection has not been read yet; an empty row follows the last one.
+class StiffnessModel : public TableModel {
+    Q_DECLARE_TR_FUNCTIONS(sparkout::StiffnessModel)
+
+public:
+    enum Column { place, load, deflection, columns };
+
+    /// The rows of the sheet: each place at half the load and at the load, twice.
+    StiffnessModel(const std::vector<double>& places_mm, double load_n, QObject* parent = nullptr);
+
+    void setEdited(std::function<void()> edited) { m_edited = std::move(edited); } ///< by hand
+
+    [[nodiscard]] std::vector<StiffnessReading> readings() const; ///< the complete ones
+    /// The fault of the first invalid row; empty if there is none.
+    [[nodiscard]] QString fault() const;
+
+    void paste(const QModelIndex& from, const PastedCells& cells);
+    void clear(const QModelIndexList& cells);
+
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+private:
+    using Row = std::array<QString, columns>;
+
+    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int columnsShown() const override { return columns; }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
+    [[nodiscard]] QVariant side(int row, int role) const override;
+    [[nodiscard]] static QString faultOf(const Row& row, int column);
+    void put(int row, int column, const QString& text);
+    void follow(); ///< adds an empty row at the end
+
+    std::vector<Row> m_rows;
+    std::function<void()> m_edited = [] {};
+};
+
+namespace {
+
+constexpr std::size_t mostReadings = 1000;
+
+bool isEmptyRow(const std::array<QString, StiffnessModel::columns>& row) {
+    return std::ranges::all_of(row, &QString::isEmpty);
+}
+
+} // namespace
+
+StiffnessModel::StiffnessModel(const std::vector<double>& places_mm, double load_n, QObject* parent)
+    : TableModel(parent) {
+    const QLocale locale;
+    constexpr int times = 2;
+    for (const double place_mm : places_mm) {
+        for (int i = 0; i < times; ++i) {
+            for (const double force_n : {load_n / 2, load_n}) {
+                m_rows.push_back({showNumber(place_mm, locale), showNumber(force_n, locale), {}});
+            }
+        }
+    }
+    m_rows.emplace_back();
+}
+
+std::vector<StiffnessReading> StiffnessModel::readings() const {
+    std::vector<StiffnessReading> list;
+    for (const Row& row : m_rows) {
+        const auto at = pastedNumber(row[place]), force = pastedNumber(row[load]),
+                   read = pastedNumber(row[deflection]);
+        if (at && force && *force > 0 && read) {
+            list.push_back({*at, *force, *read});
+        }
+    }
+    return list;
+}
+
+QString StiffnessModel::faultOf(const Row& row, int column) {
+    const QString& text = row.at(static_cast<std::size_t>(column));
+    const auto number = pastedNumber(text);
+    if (!text.isEmpty() && !number) {
+        return tr("“%1” is not a number.").arg(printableText(text));
+    }
+    const bool isRead = !row[deflection].isEmpty();
+    if (column == place && isRead && text.isEmpty()) {
+        return tr("The place is missing.");
+    }
+    if (column == load && isRead && (!number || *number <= 0)) {
+        return tr("The load must be above 0 N.");
+    }
+    return {};
+}
+
+QString StiffnessModel::fault() const {
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        for (int column = 0; column < columns; ++column) {
+            if (const QString text = faultOf(m_rows[i], column); !text.isEmpty()) {
+                return tr("Row %1: %2").arg(i + 1).arg(text);
+            }
+        }
+    }
+    return {};
+}
+
+void StiffnessModel::put(int row, int column, const QString& text) {
+    const auto at = static_cast<std::size_t>(row);
+    if (column >= columns || at >= mostReadings) {
+        return;
+    }
+    if (at >= m_rows.size()) {
+        m_rows.resize(at + 1);
+    }
+    m_rows[at].at(static_cast<std::size_t>(column)) = text.trimmed();
+}
+
+void StiffnessModel::follow() {
+    if (m_rows.empty() || !isEmptyRow(m_rows.back())) {
+        m_rows.emplace_back();
+    }
+}
+
+void StiffnessModel::paste(const QModelIndex& from, const PastedCells& cells) {
+    beginResetModel();
+    for (std::size_t i = 0; i < cells.rows.size(); ++i) {
+        for (qsizetype k = 0; k < cells.rows[i].size(); ++k) {
+            put(std::max(from.row(), 0) + static_cast<int>(i),
+                std::max(from.column(), 0) + static_cast<int>(k), cells.rows[i][k]);
+        }
+    }
+    follow();
+    endResetModel();
+    m_edited();
+}
+
+void StiffnessModel::clear(const QModelIndexList& cells) {
+    for (const QModelIndex& one : cells) {
+        put(one.row(), one.column(), {});
+    }
+    cellsChanged();
+    m_edited();
+}
+
+Qt::ItemFlags StiffnessModel::flags(const QModelIndex& index) const {
+    return TableModel::flags(index) | Qt::ItemIsEditable;
+}
+
+bool StiffnessModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid() || role != Qt::EditRole) {
+        return false;
+    }
+    put(index.row(), index.column(), value.toString());
+    cellsChanged(); // faults of a row are shown in its other cells
+    if (!isEmptyRow(m_rows.back())) {
+        beginInsertRows({}, rowsShown(), rowsShown());
+        m_rows.emplace_back();
+        endInsertRows();
+    }
+    m_edited();
+    return true;
+}
+
+QVariant StiffnessModel::cell(int row, int column, int role) const {
+    const Row& shown = m_rows.at(static_cast<std::size_t>(row));
+    const QString fault = faultOf(shown, column);
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole: return shown.at(static_cast<std::size_t>(column));
+    case Qt::ToolTipRole: return fault.isEmpty() ? QVariant() : fault;
+    case Qt::AccessibleTextRole:
+        return tr("%1, row %2").arg(head(column, Qt::DisplayRole).toString()).arg(row + 1);
+    case Qt::ForegroundRole:
+        return fault.isEmpty() ? QVariant()
+                               : QVariant(markColor(Mark::error, QGuiApplication::palette()));
+    case Qt::TextAlignmentRole: return aligned(true);
+    default: return {};
+    }
+}
+
+QVariant StiffnessModel::head(int column, int role) const {
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (column) {
+    case place: return tr("Place, mm");
+    case load: return tr("Load, N");
+    default: return tr("Deflection, µm");
+    }
+}
+
+QVariant StiffnessModel::side(int row, int role) const {
+    return role == Qt::DisplayRole ? QVariant(row + 1) : QVariant();
+}
 
 namespace {
 
@@ -100,7 +300,7 @@ StiffnessPage::StiffnessPage(const Project& project, QWidget* parent)
     row->addWidget(buildResult(), 3);
     auto* column = new QVBoxLayout(this);
     column->addLayout(row, 1);
-    connect(m_model, &StiffnessModel::edited, this, &StiffnessPage::evaluate);
+    m_model->setEdited([this] { evaluate(); });
     connect(m_indicator, &QComboBox::currentIndexChanged, this, &StiffnessPage::evaluate);
     connect(m_take, &QPushButton::clicked, this, [this] { emit taken(calibrated()); });
     evaluate();

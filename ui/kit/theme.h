@@ -6,6 +6,11 @@
 #include <QString>
 
 #include <array>
+#include <cstddef>
+
+class QColor;
+class QPainter;
+class QRectF;
 
 /// The looks of the window: themes, each one row of a table. All painting takes its colours from
 /// here, by the palette.
@@ -60,5 +65,27 @@ enum class Tone {
 namespace onMap {
 inline constexpr QColor dark(0, 0, 0), light(255, 255, 255), accent(0xff, 0x9d, 0x5c);
 }
+
+/// One theme: a colour for each role of the palette and each tone.
+struct ThemeColours {
+    Theme theme;
+    QRgb window, base, alternate, button, text, placeholder, disabled;
+    QRgb highlight, highlighted, tip, tipText, link;
+    std::array<QRgb, std::size_t(Tone::count_)> tones;
+};
+
+[[nodiscard]] const ThemeColours& coloursOf(Theme theme); ///< not for the system theme
+/// The theme from which a palette was made; for other palettes, one with a similar background.
+[[nodiscard]] const ThemeColours& coloursFor(const QPalette& palette);
+
+/// A hatching that distinguishes coloured areas without colour.
+enum class Hatch { none, rising, falling, level, crossed, upright, squared };
+
+/// The hatching of one of several adjacent areas, by index: the first has none; they repeat.
+[[nodiscard]] Hatch hatchAt(std::size_t index);
+
+/// Draws single lines instead of a brush pattern, which would have another size on paper and not be
+/// vectors in SVG.
+void paintHatch(QPainter& painter, const QRectF& area, Hatch hatch, const QColor& line);
 
 } // namespace sparkout

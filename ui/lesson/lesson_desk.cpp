@@ -16,7 +16,6 @@
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
-#include "ui/lesson/student_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/project_io.h"

@@ -4,7 +4,6 @@
 #include "ui/fields/mark.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
-#include "ui/kit/markup_text.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"

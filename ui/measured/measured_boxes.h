@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/adequacy/adequacy.h"
+#include "core/project/project.h"
 #include "ui/bars/bar_chart.h"
+#include "ui/tables/value_table.h"
 
 #include <QCoreApplication>
 
@@ -35,5 +37,10 @@ public:
 private:
     static void addLimits(BarChart& chart, const Project& project, MeasuredQuantity quantity);
 };
+
+/// Measured and predicted values: a row for each quantity in a zone or section; copied with all its
+/// numbers.
+[[nodiscard]] ValueTable adequacyTable(const Project& project,
+                                       const std::vector<AdequacyRow>& rows);
 
 } // namespace sparkout

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/measured/measured_reader.h"
-
 #include <QObject>
+#include <QString>
 
 class QWidget;
 
@@ -11,6 +10,7 @@ namespace sparkout {
 
 class Document;
 class Settings;
+struct MeasuredSource;
 
 /// The commands that bring measurements into the project: from a file, from the clipboard.
 class MeasuredImport : public QObject {

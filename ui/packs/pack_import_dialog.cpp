@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/packs/pack_import_dialog.h"
 
-#include "ui/kit/answer_buttons.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"

@@ -7,7 +7,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/study/new_project.h"
 #include "ui/dialogs/file_questions.h"
-#include "ui/files/catalogue_changes.h"
+#include "ui/files/catalogue_store.h"
 #include "ui/files/guarded_file.h"
 #include "ui/files/own_lessons.h"
 #include "ui/report/card/logo.h"

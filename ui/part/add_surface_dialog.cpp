@@ -8,13 +8,13 @@
 #include "core/setup/shared_members.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/part/part_drawing.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/designation_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>

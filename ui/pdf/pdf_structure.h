@@ -14,7 +14,7 @@ class QPainter;
 /// The contents of a document's pages as a tree in reading order, used by screen readers [ISO
 /// 32000-1, 14.7 and 14.8]. Qt 6.4 writes none, and its painter cannot mark the beginning of an
 /// element: a mark is painted far off the page instead, and removed when the tree is made
-/// (pdf_tags.h).
+/// (pdf_details.cpp).
 namespace sparkout {
 
 class PdfStructure {

@@ -2,8 +2,8 @@
 #include "ui/plot/chart_plot.h"
 
 #include "ui/plot/chart_matrix.h"
-#include "ui/plot/number_ticker.h"
 #include "ui/plot/painted_layer.h"
+#include "ui/plot/plot_style.h"
 
 #include <QLineF>
 #include <QMouseEvent>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/band_layer.h"
 #include "ui/plot/line_chart.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/plot/view_plot.h"
 
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/kit/hatch.h"
-#include "ui/plot/legend_drawing.h"
+#include "ui/kit/theme.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"

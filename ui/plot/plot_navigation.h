@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/plot_history.h"
+#include "ui/plot/view_plot.h"
 
 #include <QElapsedTimer>
 #include <QList>

@@ -3,10 +3,6 @@
 
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
-#include "ui/kit/theme_table.h"
-#include "ui/plot/number_ticker.h"
-
-#include <qcustomplot.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/text/number_text.h"
+
 #include <QColor>
 #include <QFont>
 #include <QList>
 #include <QPalette>
 
-class QCPAxis;
-class QCPAxisRect;
-class QCustomPlot;
+#include <qcustomplot.h>
 
 /// Shared axes and safe ranges of the plots; texts and lines of the axes follow the palette.
 namespace sparkout::style {
@@ -46,3 +46,26 @@ void setSafeRange(QCPAxis& axis, double low, double high);
 void setRoomyRange(QCPAxis& axis, double low, double high, double room, double leastRoom);
 
 } // namespace sparkout::style
+
+namespace sparkout {
+
+/// The numbers of an axis with a typographic minus; very small and large ones with a power of ten.
+class NumberTicker : public QCPAxisTicker {
+protected:
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+        const QString label =
+            withPower(QCPAxisTicker::getTickLabel(tick, locale, format, precision));
+        return label.startsWith(u'-') ? u'−' + label.mid(1) : label;
+    }
+};
+
+/// Only whole numbers, for counts.
+class WholeTicker : public QCPAxisTickerFixed {
+public:
+    WholeTicker() {
+        setTickStep(1);
+        setScaleStrategy(ssMultiples);
+    }
+};
+
+} // namespace sparkout

@@ -3,17 +3,24 @@
 
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
+#include "ui/session/document.h"
+#include "ui/session/studies.h"
 
 #include <QComboBox>
+#include <QWidget>
 
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <vector>
 
 class QAbstractButton;
 class QAbstractItemModel;
 class QLabel;
 class QLayout;
+class QProgressBar;
+class QPushButton;
 class QScrollArea;
 class QSplitter;
 class QStackedWidget;
@@ -23,12 +30,54 @@ namespace sparkout {
 
 class CopyTable;
 class CursorStrip;
+class Job;
 class LegendStrip;
 class PlotCursors;
 class Settings;
 class ValueModel;
 class ViewPlot;
 struct Project;
+
+/// The bar of a view that runs many cycles: buttons to run and stop, a text on the results or on
+/// the progress and remaining time, and the view's own parts.
+class RunBar : public QWidget {
+    Q_OBJECT
+public:
+    /// Text for a number of parts; left_s is negative while unknown.
+    using Progress = QString (*)(qint64 done, qint64 parts, double left_s);
+
+    /// `name` is the prefix of the names of its parts.
+    RunBar(const QString& name, QWidget* parent, Progress text = nullptr);
+
+    /// Call once: sets the widgets before and behind the text. The text takes a line of its own
+    /// unless it has room for so many letters.
+    void layOut(std::initializer_list<QWidget*> before, std::initializer_list<QWidget*> behind,
+                int letters = 0);
+    /// A count of finished parts with the remaining time, if known.
+    [[nodiscard]] static QString withTimeLeft(const QString& count, double left_s);
+    /// Whether so many runs with so many radii each take at most about two seconds of one
+    /// processor, so that they may start automatically.
+    [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
+    void takeTurns() { m_turns = true; } ///< shows one of the two buttons at a time
+    /// Shows the progress of a job whose parts are counted, and stops it.
+    void follow(Job& job);
+    void showProgress(qint64 done, qint64 parts, double left_s = -1);
+    void showProgress(double share, const QString& text);
+    void showRunning(bool runs, bool mayRun);
+
+    [[nodiscard]] QPushButton* run() const { return m_run; }
+    [[nodiscard]] QPushButton* stop() const { return m_stop; }
+    [[nodiscard]] QLabel* state() const { return m_state; } ///< text on the results
+    [[nodiscard]] QProgressBar* progress() const { return m_progress; }
+
+private:
+    Progress m_text;
+    QPushButton* m_run;
+    QPushButton* m_stop;
+    QLabel* m_state;
+    QProgressBar* m_progress;
+    bool m_turns = false;
+};
 
 /// A view with plots: it keeps the last outcome that could be drawn, faint while a newer one is
 /// refused, and owns what surrounds its plots: notice, legend, cursor strip, the values under the
@@ -168,6 +217,40 @@ private:
     std::vector<QWidget*> m_hidden, m_disabled; ///< hidden or disabled until there are curves
     OutcomePtr m_good;
     double m_lastUpdate_ms = 0;
+};
+
+/// A view of a study that is computed on demand and shown until the next one, faint when the inputs
+/// have changed.
+class StudyView : public PlotView {
+    Q_OBJECT
+public:
+    /// The notice over outdated results; `button` computes new ones.
+    [[nodiscard]] static QString staleText(bool isRunning, const QString& button) {
+        return isRunning ? tr("These results are for the inputs before the last edit; those for "
+                              "the current inputs are being computed.")
+                         : tr("These results are for the inputs before the last edit. Press “%1” "
+                              "to compute them for the current inputs.")
+                               .arg(button);
+    }
+
+signals:
+    /// An edit of the document is requested.
+    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
+                    const sparkout::EditText& text);
+    void ended(); ///< the result, or its refusal, has been drawn
+
+protected:
+    /// Without studies of the window it creates its own.
+    StudyView(const QString& name, QWidget* parent, Settings* settings, Studies* studies)
+        : PlotView(name, parent, settings)
+        , m_own(studies ? nullptr : std::make_unique<Studies>())
+        , m_studies(studies ? *studies : *m_own) {}
+
+    [[nodiscard]] Studies& studies() const { return m_studies; }
+
+private:
+    std::unique_ptr<Studies> m_own;
+    Studies& m_studies;
 };
 
 } // namespace sparkout

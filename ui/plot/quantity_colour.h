@@ -2,6 +2,12 @@
 #pragma once
 
 #include "ui/kit/theme.h"
+#include "ui/plot/read_curves.h"
+
+#include <QColor>
+#include <QPen>
+#include <QPixmap>
+#include <QString>
 
 #include <cstddef>
 #include <optional>
@@ -83,4 +89,44 @@ enum class Drawn {
 /// readers despite pale fills.
 [[nodiscard]] Tone stepOfStroke(std::size_t index, const QPalette& palette);
 
+// A dash pattern and width for each curve in addition to its colour, so that curves differ in
+// black and white print, too.
+
+/// A solid line of the usual width for a curve without neighbours.
+[[nodiscard]] QPen line(Drawn what, const QColor& colour);
+/// The line of a limit of the depth of cut, by its order; later ones repeat the last.
+[[nodiscard]] QPen lineOfDepthLimit(std::size_t index, const QColor& colour);
+
 } // namespace sparkout::style
+
+namespace sparkout {
+
+/// The line of one of several runs: the current run, number 0, is solid; the others have different
+/// dashes, and wider lines once these repeat.
+[[nodiscard]] QVector<qreal> runDash(int number); ///< in pen widths; empty: solid
+[[nodiscard]] QPen runPen(int number, const QColor& colour);
+
+/// A sample of the line for a list.
+[[nodiscard]] QPixmap runSample(int number, const QColor& colour, const QSize& size, qreal ratio);
+
+enum class StrokeStep;
+
+/// "E3/E1/E1 working stroke": a step of a double stroke with its code in each of the zones ground
+/// in it; empty if it has none.
+[[nodiscard]] QString strokeStepName(StrokeStep step);
+
+/// The name of a curve in the legend.
+[[nodiscard]] QString quantityName(Quantity quantity);
+
+/// The name with the unit: "actual feed, µm".
+[[nodiscard]] QString quantityWithUnit(Quantity quantity);
+
+/// The number format of its values.
+[[nodiscard]] Digits quantityDigits(Quantity quantity);
+
+/// The values at a time as two lines of plain text: the place in the cycle, and the numbers. Empty
+/// if the zone has no point there.
+[[nodiscard]] QString feedText(const FeedPoints& points, double time_s, const FeedSeries& series,
+                               bool wholeStrokes);
+
+} // namespace sparkout

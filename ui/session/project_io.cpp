@@ -4,7 +4,7 @@
 #include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "core/setup/setup_file.h"
-#include "ui/text/system_text.h"
+#include "ui/text/file_error_text.h"
 
 #include <QCryptographicHash>
 

@@ -3,7 +3,7 @@
 
 #include "core/sha256.h"
 #include "ui/session/project_io.h"
-#include "ui/text/system_text.h"
+#include "ui/text/file_error_text.h"
 
 #include <QCoreApplication>
 #include <QDir>

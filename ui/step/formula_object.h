@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/format/formula_box.h"
+#include "ui/report/format/text_box.h"
 
 #include <QObject>
 #include <QTextCharFormat>

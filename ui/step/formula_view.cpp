@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/step/formula_view.h"
 
-#include "ui/report/format/formula_markup.h"
 #include "ui/report/format/formula_writer.h"
 #include "ui/step/formula_object.h"
 #include "ui/text/formula_text.h"

@@ -5,6 +5,7 @@
 #include "ui/text/number_text.h"
 
 #include <QCoreApplication>
+#include <QFile>
 
 #include <cstring>
 
@@ -44,6 +45,22 @@ QString saveErrorText(const FileError& error) {
     return QCoreApplication::translate("FileError",
                                        "“%1” was not saved: %2. Nothing on the disk was changed.")
         .arg(path, details(error));
+}
+
+std::string systemText(const QString& text) {
+#ifdef Q_OS_WIN
+    return text.toStdString();
+#else
+    return QFile::encodeName(text).toStdString();
+#endif
+}
+
+QString fromSystemText(const std::string& text) {
+#ifdef Q_OS_WIN
+    return QString::fromStdString(text);
+#else
+    return QFile::decodeName(QByteArray::fromStdString(text));
+#endif
 }
 
 } // namespace sparkout

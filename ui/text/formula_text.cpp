@@ -2,7 +2,6 @@
 #include "ui/text/formula_text.h"
 
 #include "ui/text/number_text.h"
-#include "ui/text/source_names.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>

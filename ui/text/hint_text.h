@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <vector>
+
 /// The texts of the window about an input, all of them from its row.
 namespace sparkout {
 
@@ -31,5 +33,26 @@ namespace sparkout {
 [[nodiscard]] QString limitsMarkup(const Field& field);
 /// Only the meaning, as rich text.
 [[nodiscard]] QString meaningMarkup(const Field& field);
+
+// The help pages of the inputs, generated from their tables.
+
+/// A row of the tables and the place of its description.
+struct FieldPlace {
+    const Field* field;
+    const StructInfo* table; ///< table of the row
+    Page page;               ///< page that shows it; none: only in the project file
+    QString anchor;          ///< path, "part.diameter_mm"
+};
+
+/// All rows, in their order. A struct with several occurrences is described at the first.
+[[nodiscard]] const std::vector<FieldPlace>& fieldPlaces();
+
+/// "inputs-part" …, "inputs-file" for rows that no form shows.
+[[nodiscard]] QString fieldPageId(Page page);
+/// "inputs-part#part.diameter_mm"
+[[nodiscard]] QString fieldTopic(const Field& field);
+
+/// The rows of a page as HTML, in the current language.
+[[nodiscard]] QString fieldsHtml(Page page);
 
 } // namespace sparkout

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/number_text.h"
 
+#include "core/units.h"
+#include "ui/text/texts.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -192,6 +195,16 @@ QString sizeText(qint64 bytes) {
     return bytes < mega   ? shown(QT_TRANSLATE_NOOP("FileSize", "%1 kB"), kilo, 0)
            : bytes < giga ? shown(QT_TRANSLATE_NOOP("FileSize", "%1 MB"), mega, 1)
                           : shown(QT_TRANSLATE_NOOP("FileSize", "%1 GB"), giga, 1);
+}
+
+TimeUnit::TimeUnit(double longest_s) : m_seconds(timeUnit_s(longest_s)) {}
+
+QString TimeUnit::text() const {
+    return unitText(m_seconds > 1 ? "min" : "s");
+}
+
+QString TimeUnit::titled(const QString& name) const {
+    return QStringLiteral("%1, %2").arg(name, text());
 }
 
 } // namespace sparkout

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/shown_scale.h"
 
+#include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/project/project.h"
-#include "ui/text/stock_reading.h"
+#include "ui/text/texts.h"
+
+#include <QCoreApplication>
 
 #include <cmath>
 #include <cstdint>
@@ -13,6 +16,57 @@
 #include <variant>
 
 namespace sparkout {
+
+namespace {
+
+const Field* stockOf(const StructInfo& table) {
+    return table.find("stock_mm");
+}
+
+} // namespace
+
+StockReading& StockReading::instance() {
+    static StockReading reading;
+    return reading;
+}
+
+void StockReading::setOnDiameter(bool onDiameter) {
+    if (onDiameter != m_onDiameter) {
+        m_onDiameter = onDiameter;
+        emit changed();
+    }
+}
+
+bool StockReading::isStock(const Field& field) {
+    return &field == stockOf(tableOf<Part>()) || &field == stockOf(tableOf<Stage>());
+}
+
+bool StockReading::isOnDiameter(const Field& field) {
+    return instance().m_onDiameter && isStock(field);
+}
+
+QString StockReading::label(const Field& field) {
+    if (!isOnDiameter(field)) {
+        return inputText(field.label);
+    }
+    return &field == stockOf(tableOf<Part>()) ? tr("Stock on diameter")
+                                              : tr("Stage stock on diameter");
+}
+
+QString StockReading::column(const Field& field) {
+    return column(field, isOnDiameter(field));
+}
+
+QString StockReading::column(const Field& field, bool onDiameter) {
+    return onDiameter       ? tr("Stock on diameter")
+           : !*field.column ? inputText(field.label)
+                            : QCoreApplication::translate("InputBrief", field.column);
+}
+
+QString StockReading::symbol(const Field& field) {
+    const QString symbol = *field.symbol ? inputText(field.symbol) : QString();
+    return isOnDiameter(field) ? u'2' + symbol : symbol;
+}
 
 ShownScale ShownScale::of(const Field& field) {
     static const Field* const section = tableOf<Gauge>().find("section");

@@ -7,6 +7,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <string_view>
+#include <utility>
+#include <vector>
+
 /// The core's texts in the current language. The core marks them for translation.
 namespace sparkout {
 
@@ -48,5 +52,12 @@ namespace sparkout {
     texts.removeAll(QString());
     return texts.join(between);
 }
+
+/// The text of a source in the current language: "MODEL-5" → "model page, section 5, traverse
+/// cycle". Empty for a key that core/SOURCES.md does not have.
+[[nodiscard]] QString sourceText(std::string_view key);
+
+/// Every source with its key and text.
+[[nodiscard]] std::vector<std::pair<QString, QString>> sourceTexts();
 
 } // namespace sparkout

@@ -4,7 +4,7 @@
 #include "core/project/part.h"
 #include "core/study/operation.h"
 #include "ui/dialogs/notice_bar.h"
-#include "ui/text/operation_changes.h"
+#include "ui/text/field_text.h"
 
 #include <QCoreApplication>
 

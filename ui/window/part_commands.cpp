@@ -5,7 +5,7 @@
 #include "core/setup/wheel_wear.h"
 #include "core/units.h"
 #include "ui/form/struct_form.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/part/add_surface_dialog.h"

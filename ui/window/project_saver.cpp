@@ -8,8 +8,8 @@
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
+#include "ui/text/designation_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
 #include <QFileInfo>

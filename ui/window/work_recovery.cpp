@@ -6,7 +6,7 @@
 #include "ui/dialogs/file_questions.h"
 #include "ui/fields/mark.h"
 #include "ui/files/file_guard.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"

@@ -5,8 +5,8 @@
 #include "core/quality/shop_numbers.h"
 #include "core/study/outcome.h"
 #include "tests/core/support/project_samples.h"
-#include "ui/charts/shop_table.h"
-#include "ui/text/output_text.h"
+#include "ui/charts/result_tables.h"
+#include "ui/text/field_text.h"
 
 #include <QLocale>
 #include <QTest>

@@ -3,10 +3,8 @@
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/whole_project.h"
-#include "ui/files/catalogue_changes.h"
+#include "ui/files/catalogue_store.h"
 #include "ui/session/project_io.h"
-#include "ui/text/search_text.h"
-#include "ui/text/source_names.h"
 #include "ui/text/texts.h"
 
 #include <QFile>

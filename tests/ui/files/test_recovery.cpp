@@ -8,7 +8,7 @@
 #include "tests/tries.h"
 #include "tests/ui/support/diameters.h"
 #include "tests/ui/support/file_trouble.h"
-#include "ui/files/autosave.h"
+#include "ui/files/file_guard.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 

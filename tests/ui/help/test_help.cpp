@@ -13,7 +13,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/help_topic.h"
 #include "ui/plot/view.h"
-#include "ui/text/help_fields.h"
+#include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/help_desk.h"

@@ -8,8 +8,8 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/fields/mark.h"
 #include "ui/fields/number_field.h"
-#include "ui/fields/reason_label.h"
 #include "ui/inputs/forms/factor_box.h"
 #include "ui/inputs/inputs_panel.h"
 

@@ -3,11 +3,10 @@
 #include "core/format/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/inputs_bench.h"
-#include "ui/fields/reset_mark.h"
+#include "ui/fields/input_marks.h"
 #include "ui/inputs/forms/stage_table.h"
-#include "ui/text/defaults.h"
+#include "ui/text/field_text.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/source_names.h"
 #include "ui/text/texts.h"
 #include "ui/window/main_window.h"
 

@@ -16,7 +16,7 @@
 #include "ui/report/format/report_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
-#include "ui/views/sweep/sweep_text.h"
+#include "ui/views/sweep/sweep_shown.h"
 
 #include "tests/registry.h"
 

@@ -11,7 +11,7 @@
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/text/stock_reading.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>

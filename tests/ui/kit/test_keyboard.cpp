@@ -8,7 +8,6 @@
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
-#include "ui/kit/focus_frame.h"
 #include "ui/kit/keyboard.h"
 #include "ui/plot/view.h"
 #include "ui/views/verdict/verdict_panel.h"

@@ -5,7 +5,7 @@
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/editors/hint_strip.h"
-#include "ui/kit/tool_tips.h"
+#include "ui/kit/help_topic.h"
 #include "ui/plot/view.h"
 #include "ui/text/hint_text.h"
 #include "ui/window/view_tabs.h"

@@ -14,7 +14,6 @@
 #include "ui/kit/font_size.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
-#include "ui/lesson/student_dialog.h"
 #include "ui/plot/chart_plot.h"
 #include "ui/views/batch/batch_view.h"
 

@@ -9,7 +9,7 @@
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "ui/pdf/pdf_details.h"
-#include "ui/plot/plot_export.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/report/documents/report_kinds.h"
 
 #include <QBuffer>

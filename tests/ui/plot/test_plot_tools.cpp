@@ -2,10 +2,10 @@
 // The tools on a plot that has nothing of its own: one axis rect, two axes.
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_history.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/plot_tools.h"
+#include "ui/plot/view_plot.h"
 #include "ui/text/names.h"
 
 #include <QClipboard>

@@ -10,7 +10,6 @@
 #include "tests/ui/support/report_reading.h"
 #include "ui/report/card/card_sheets.h"
 #include "ui/report/card/operation_card_report.h"
-#include "ui/report/card/part_outline.h"
 #include "ui/report/card/sketch_callout.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/documents/report_kinds.h"

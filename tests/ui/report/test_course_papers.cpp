@@ -6,7 +6,6 @@
 #include "tests/ui/report/course_bench.h"
 #include "tests/ui/report/handout_bench.h"
 #include "ui/report/course/lesson_markup.h"
-#include "ui/report/format/formula_markup.h"
 #include "ui/report/format/formula_writer.h"
 #include "ui/text/names.h"
 

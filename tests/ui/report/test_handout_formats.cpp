@@ -7,9 +7,9 @@
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/report_reading.h"
 #include "ui/dynamic_programming/state_grid_text.h"
-#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/formula_writer.h"
 #include "ui/report/format/pages.h"
-#include "ui/text/source_names.h"
+#include "ui/text/texts.h"
 
 #include <QRegularExpression>
 

@@ -4,7 +4,7 @@
 #include "tests/core/support/formula_reader.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
-#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/formula_writer.h"
 #include "ui/text/formula_text.h"
 
 #include <QRegularExpression>

@@ -11,7 +11,7 @@
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/dialogs/notice_bar.h"
-#include "ui/report/course/institution.h"
+#include "ui/report/course/paper_writer.h"
 #include "ui/report/documents/batch_wait.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"

@@ -7,7 +7,7 @@
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/pages.h"
-#include "ui/report/parts/input_fact.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"
 
 #include <QRegularExpression>

@@ -5,7 +5,7 @@
 #include "core/study/outcome.h"
 #include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
-#include "ui/text/operation_changes.h"
+#include "ui/text/field_text.h"
 #include "ui/text/texts.h"
 
 #include "core/format/project_file.h"

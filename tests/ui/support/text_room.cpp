@@ -3,7 +3,7 @@
 #include "tests/ui/support/text_checks.h"
 
 #include "ui/inputs/forms/column_header.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -5,8 +5,7 @@
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/on_disk.h"
-#include "ui/fields/cells_line_edit.h"
-#include "ui/tables/copied_cells.h"
+#include "ui/fields/number_field.h"
 #include "ui/tables/pasted_cells.h"
 
 #include <QClipboard>

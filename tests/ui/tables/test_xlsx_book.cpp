@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Workbooks, read back by another program.
-#include "ui/tables/xlsx_book.h"
+#include "ui/tables/sheet.h"
 
 #include "core/workbook/xlsx_parts.h"
 #include "tests/registry.h"

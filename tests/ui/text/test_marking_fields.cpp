@@ -4,8 +4,8 @@
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
+#include "ui/text/designation_text.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/size_field.h"
 
 #include <QLabel>
 #include <QLineEdit>

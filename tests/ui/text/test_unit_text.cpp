@@ -5,8 +5,8 @@
 #include "core/project/project.h"
 #include "tests/registry.h"
 #include "ui/text/language.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
-#include "ui/text/time_unit.h"
 
 #include <QRegularExpression>
 #include <QSet>

@@ -8,7 +8,7 @@
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
-#include "ui/pdf/pdf_attachment.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/format/pages.h"
 #include "ui/window/dialogs/examples_dialog.h"

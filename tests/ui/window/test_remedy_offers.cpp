@@ -9,7 +9,7 @@
 #include "tests/whole_project.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/remedy_finder.h"
-#include "ui/views/verdict/remedy_section.h"
+#include "ui/views/verdict/verdict_sections.h"
 
 #include <QAction>
 #include <QLabel>

@@ -10,7 +10,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/svg_device.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"

@@ -3,8 +3,6 @@
 
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/help_topic.h"
-#include "ui/kit/tool_tips.h"
-#include "ui/text/help_fields.h"
 #include "ui/text/hint_text.h"
 
 #include <QAbstractButton>

@@ -3,8 +3,7 @@
 
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/batch_rules.h"
-#include "ui/fields/calibrated_mark.h"
-#include "ui/fields/reason_label.h"
+#include "ui/fields/input_marks.h"
 #include "ui/fields/value_slider.h"
 #include "ui/form/pasted_numbers.h"
 #include "ui/inputs/editors/form_metrics.h"

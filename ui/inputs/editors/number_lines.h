@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/issue.h"
+#include "ui/fields/mark.h"
 #include "ui/fields/number_field.h"
-#include "ui/fields/refusal.h"
 #include "ui/session/slider_scale.h"
 #include "ui/tables/pasted_cells.h"
 

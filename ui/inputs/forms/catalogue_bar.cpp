@@ -4,7 +4,7 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/wheel.h"
-#include "ui/fields/reason_label.h"
+#include "ui/fields/mark.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/kit/help_topic.h"

@@ -4,17 +4,14 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/wheel.h"
-#include "ui/files/catalogue_changes.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/inputs/forms/stiffness_offer.h"
-#include "ui/kit/answer_buttons.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/sealed_state.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
-#include "ui/text/search_text.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>

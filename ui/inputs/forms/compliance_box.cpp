@@ -4,7 +4,7 @@
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/machine.h"
 #include "core/study/operation.h"
-#include "ui/fields/reason_label.h"
+#include "ui/fields/mark.h"
 #include "ui/inputs/forms/page_columns.h"
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"

@@ -4,7 +4,7 @@
 #include "core/project/batch.h"
 #include "core/project/given_factors.h"
 #include "core/study/batch_edits.h"
-#include "ui/fields/reason_label.h"
+#include "ui/fields/mark.h"
 #include "ui/inputs/forms/page_columns.h"
 #include "ui/session/document.h"
 #include "ui/tables/pasted_cells.h"

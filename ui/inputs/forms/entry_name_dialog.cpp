@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/entry_name_dialog.h"
 
-#include "ui/kit/answer_buttons.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 
 #include <QLabel>
 #include <QLineEdit>

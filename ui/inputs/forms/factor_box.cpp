@@ -4,7 +4,6 @@
 #include "core/files/safe_file.h"
 #include "core/format/blanks_csv.h"
 #include "core/project/batch.h"
-#include "ui/fields/reason_label.h"
 #include "ui/form/choice_editor.h"
 #include "ui/inputs/editors/factor_lines.h"
 #include "ui/inputs/editors/form_metrics.h"

@@ -7,8 +7,7 @@
 #include "core/setup/shared_members.h"
 #include "core/study/batch_edits.h"
 #include "core/study/usual_search.h"
-#include "ui/fields/reason_label.h"
-#include "ui/fields/shared_mark.h"
+#include "ui/fields/input_marks.h"
 #include "ui/inputs/forms/catalogue_bar.h"
 #include "ui/inputs/forms/compliance_box.h"
 #include "ui/inputs/forms/correlation_box.h"
@@ -22,7 +21,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
-#include "ui/text/help_fields.h"
+#include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
 #include <QGridLayout>

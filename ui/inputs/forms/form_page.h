@@ -4,7 +4,7 @@
 #include "core/field.h"
 #include "core/issue.h"
 #include "core/study/outcome.h"
-#include "ui/fields/refusal.h"
+#include "ui/fields/mark.h"
 #include "ui/inputs/editors/project_model.h"
 #include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/forms/input_rank.h"

@@ -3,10 +3,8 @@
 
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/member.h"
-#include "ui/fields/calibrated_mark.h"
+#include "ui/fields/input_marks.h"
 #include "ui/fields/number_field.h"
-#include "ui/fields/reset_mark.h"
-#include "ui/fields/shared_mark.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/input_rank.h"
@@ -14,9 +12,9 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/calibration_text.h"
-#include "ui/text/defaults.h"
+#include "ui/text/field_text.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/stock_reading.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/input_box.h"
 
-#include "ui/fields/reason_label.h"
+#include "ui/fields/mark.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/text/texts.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/member.h"
-#include "ui/text/defaults.h"
+#include "ui/text/field_text.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "ui/inputs/forms/list_model.h"
 #include "ui/tables/pasted_cells.h"
 #include "ui/text/number_text.h"
-#include "ui/text/stock_reading.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QLocale>

@@ -12,7 +12,6 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/tables/copied_cells.h"
 #include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"

@@ -12,9 +12,8 @@
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
-#include "ui/text/marking_text.h"
+#include "ui/text/designation_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/size_field.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -3,7 +3,7 @@
 
 #include "core/project/part.h"
 #include "ui/session/document.h"
-#include "ui/text/size_field.h"
+#include "ui/text/designation_text.h"
 
 #include <QWidget>
 

@@ -7,7 +7,6 @@
 #include "ui/session/document.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"
-#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 #include <algorithm>

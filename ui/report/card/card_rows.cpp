@@ -8,7 +8,6 @@
 #include "core/project/wheel_marking.h"
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
-#include "ui/report/parts/input_fact.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"

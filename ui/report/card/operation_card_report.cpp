@@ -6,12 +6,11 @@
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/setup/setup_file.h"
-#include "ui/report/card/card_form.h"
 #include "ui/report/card/logo.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/format/report.h"
-#include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/operation_setup.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/number_text.h"
 

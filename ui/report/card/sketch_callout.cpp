@@ -2,7 +2,7 @@
 #include "ui/report/card/sketch_callout.h"
 
 #include "core/units.h"
-#include "ui/report/parts/input_fact.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"
 
 #include <QFontMetricsF>

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/lesson/lesson.h"
 #include "ui/report/course/lab_report.h"
+#include "ui/report/format/report.h"
 
 #include <QString>
 
 #include <optional>
 #include <span>
 #include <vector>
+
+namespace sparkout::report {
+
+/// The teaching guide of a work, from the teacher's lesson: aim, theory, data, order of the work
+/// with the answers, time norm, control questions with answers, typical mistakes. Sections without
+/// contents are left out.
+[[nodiscard]] Report methodicalGuide(const Lesson& lesson, const PaperWish& wish);
+
+} // namespace sparkout::report
 
 /// The papers of the course, each described once in a table for command line and menus. They are
 /// written in the current language, in the window's thread.

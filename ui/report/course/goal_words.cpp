@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/course/goal_words.h"
 
+#include "ui/plot/plot_style.h"
+#include "ui/report/course/lesson_markup.h"
+#include "ui/report/parts/run_figures.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "words/lesson_words.h"
 
 #include <QStringList>
+
+#include <algorithm>
+#include <qcustomplot.h>
 
 namespace sparkout::report {
 
@@ -141,6 +147,139 @@ QString GoalWords::asked(const Goal& goal, const Project& project) {
     case GoalKind::text: return tr("The answer is in words; the teacher reads it.");
     }
     return {};
+}
+
+void StepKey::write(PaperWriter& paper, const Lesson& lesson, std::size_t step) {
+    const Goal& goal = lesson.steps[step].goal;
+    const auto surface = static_cast<std::size_t>(lesson.steps[step].surface) - 1;
+    const Setup setup = setupOf(lesson, step);
+    const Project& project = setup.surfaces[surface].project;
+    if (goal.choice) {
+        for (const ChoiceOption& option : goal.choice->options) {
+            if (option.right) {
+                paper.say(
+                    tr("Right: %1.").arg(LessonMarkup::inOneLine(PaperWriter::text(option.text))));
+            }
+        }
+        return;
+    }
+    if (!isAnsweredByEngine(goal.kind())) {
+        paper.say(GoalWords::asked(goal, project));
+        return;
+    }
+    const GoalResult result = checkStep(lesson, step, {});
+    const sparkout::Figure& figure = *goal.asked();
+    const QString name = GoalWords::quantity(figure, project);
+    if (goal.prediction && result.value) {
+        paper.say(tr("%1: %2; ± %3 is accepted.")
+                      .arg(GoalWords::withUnit(name, figure),
+                           GoalWords::number(figure, *result.value),
+                           Names::fixed(result.tolerance, rowOf(figure.name).digits + 1)));
+    } else if (goal.order && !result.order.empty()) {
+        paper.say(
+            tr("%1, the largest first: %2.").arg(name, GoalWords::order(project, result.order)));
+    } else if (goal.curve && !result.curve.empty()) {
+        Table table;
+        table.head = {GoalWords::along(*goal.curve, project), GoalWords::withUnit(name, figure)};
+        table.texts = {true};
+        for (const ComparedPoint& point : result.curve) {
+            table.rows.push_back({GoalWords::alongAt(*goal.curve, point.at, project),
+                                  GoalWords::number(figure, point.value)});
+        }
+        paper.table(std::move(table), tr("By the engine"));
+    } else {
+        paper.say(GoalWords::finding(result.finding));
+    }
+}
+
+namespace {
+
+constexpr int curveHeight = 340, blankHeight = 420, gridLines = 10;
+constexpr double lineWidth = 2, roomAbove = 0.1;
+constexpr QColor saidColour(0xd5, 0x5e, 0x00), engineColour(0x00, 0x72, 0xb2),
+    gridColour(0x96, 0x96, 0x96);
+
+/// Axes with their names, for a curve prediction.
+void setUpAxes(QCustomPlot& plot, const CurvePrediction& goal, const Project& project) {
+    sparkout::Figure figure = goal.figure;
+    plot.xAxis->setLabel(GoalWords::along(goal, project));
+    plot.yAxis->setLabel(GoalWords::withUnit(GoalWords::quantity(figure, project), figure));
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
+        style::setUpAxis(*axis);
+    }
+    if (goal.along == CurveAlong::place) {
+        const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
+        for (const double at : goal.at) {
+            names->addTick(at, GoalWords::alongAt(goal, at, project));
+        }
+        plot.xAxis->setTicker(names);
+    }
+    style::applyPalette(plot, plot.palette());
+}
+
+QCPGraph* addGraph(QCustomPlot& plot, const QColor& colour, Qt::PenStyle pen) {
+    QCPGraph* graph = plot.addGraph();
+    graph->setPen(QPen(colour, lineWidth, pen));
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, 7));
+    return graph;
+}
+
+} // namespace
+
+Figure CurveFigure::compared(const CurvePrediction& goal, const Project& project,
+                             const GoalResult& result, const NumberRows& said) {
+    QCustomPlot plot;
+    setUpForPaper(plot, curveHeight);
+    setUpAxes(plot, goal, project);
+    QCPGraph* const engine = addGraph(plot, engineColour, Qt::SolidLine);
+    QCPGraph* const predicted = addGraph(plot, saidColour, Qt::DashLine);
+    double left = goal.at.empty() ? 0 : goal.at.front(), right = left, top = 0, bottom = 0;
+    const auto add = [&](QCPGraph* graph, double x, double y) {
+        graph->addData(x, y);
+        left = std::min(left, x);
+        right = std::max(right, x);
+        top = std::max(top, y);
+        bottom = std::min(bottom, y);
+    };
+    for (const ComparedPoint& point : result.curve) {
+        add(engine, point.at, point.value);
+    }
+    for (const auto& point : said.value_or(std::vector<std::vector<double>>())) {
+        if (point.size() == 2) {
+            add(predicted, point[0], point[1]);
+        }
+    }
+    style::setSafeRange(*plot.xAxis, left, right);
+    const double room = roomAbove * (top - bottom);
+    style::setSafeRange(*plot.yAxis, bottom < 0 ? bottom - room : 0, top + room);
+    const LegendEntries legend{{.colour = saidColour, .pen = Qt::DashLine, .text = tr("Predicted")},
+                               {.colour = engineColour, .text = tr("By the engine")}};
+    const QString caption = GoalWords::quantity(goal.figure, project);
+    return plotFigure(plot, legend, caption,
+                      tr("%1: what was predicted beside what the engine computes").arg(caption));
+}
+
+Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {
+    QCustomPlot plot;
+    setUpForPaper(plot, blankHeight);
+    setUpAxes(plot, goal, project);
+    const auto [least, most] = std::ranges::minmax_element(goal.at);
+    if (least != goal.at.end()) {
+        style::setSafeRange(*plot.xAxis, *least, *most);
+    }
+    // The student scales the values: a scale would reveal their size.
+    plot.yAxis->setTickLabels(false);
+    style::setSafeRange(*plot.yAxis, 0, gridLines);
+    const QSharedPointer<QCPAxisTickerFixed> lines(new QCPAxisTickerFixed);
+    lines->setTickStep(1);
+    plot.yAxis->setTicker(lines);
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
+        axis->grid()->setPen(QPen(gridColour, 1));
+        axis->grid()->setSubGridVisible(axis == plot.xAxis);
+        axis->grid()->setSubGridPen(QPen(gridColour, 0.5, Qt::DotLine));
+    }
+    const QString caption = GoalWords::quantity(goal.figure, project);
+    return plotFigure(plot, {}, caption, tr("A grid to draw on: %1").arg(caption));
 }
 
 } // namespace sparkout::report

@@ -3,7 +3,10 @@
 
 #include "core/lesson/goal.h"
 #include "core/lesson/goal_check.h"
+#include "core/lesson/lesson.h"
 #include "core/project/project.h"
+#include "ui/report/course/paper_writer.h"
+#include "ui/report/format/report.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -37,6 +40,25 @@ public:
     [[nodiscard]] static QString finding(Finding finding);
     /// The question of a goal, a sentence; it does not reveal the answer.
     [[nodiscard]] static QString asked(const Goal& goal, const Project& project);
+};
+
+/// The answer to a step of the teacher's lesson: the engine's, or the right options.
+class StepKey {
+    Q_DECLARE_TR_FUNCTIONS(StepKey)
+public:
+    static void write(PaperWriter& paper, const Lesson& lesson, std::size_t step);
+};
+
+/// The curves of a step that asks for one, drawn in the window's thread.
+class CurveFigure {
+    Q_DECLARE_TR_FUNCTIONS(CurveFigure)
+public:
+    /// The predicted curve and the engine's.
+    [[nodiscard]] static Figure compared(const CurvePrediction& goal, const Project& project,
+                                         const GoalResult& result, const NumberRows& said);
+    /// A grid to draw on. Its upper end is above all possible values, as far as the inputs
+    /// determine them.
+    [[nodiscard]] static Figure blank(const CurvePrediction& goal, const Project& project);
 };
 
 } // namespace sparkout::report

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/course/work.h"
-#include "ui/report/course/institution.h"
+#include "ui/report/course/paper_writer.h"
 #include "ui/report/format/report.h"
-#include "ui/report/handout/handout_view.h"
+#include "ui/report/handout/handout_step.h"
 
 #include <QDate>
 #include <QString>

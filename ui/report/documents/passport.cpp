@@ -1,31 +1,302 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/passport.h"
 
+#include "core/identification/hold_out.h"
 #include "core/project/batch.h"
-#include "ui/report/documents/capability_chart.h"
-#include "ui/report/documents/outcome_remarks.h"
-#include "ui/report/documents/passport_figures.h"
-#include "ui/report/documents/passport_inputs.h"
-#include "ui/report/documents/passport_measured.h"
-#include "ui/report/documents/passport_prediction.h"
-#include "ui/report/documents/passport_verdict.h"
-#include "ui/report/parts/begun_report.h"
-#include "ui/report/parts/calibrated_table.h"
+#include "core/project/project.h"
+#include "core/study/outcome.h"
+#include "core/study/whole_batch.h"
+#include "ui/bars/bar_plot.h"
+#include "ui/charts/verdict_table.h"
+#include "ui/measured/measured_boxes.h"
+#include "ui/measured/measured_text.h"
+#include "ui/plot/chart_plot.h"
+#include "ui/report/documents/cycle_card.h"
+#include "ui/report/documents/passport_sections.h"
+#include "ui/report/format/report.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/operation_setup.h"
-#include "ui/report/parts/part_sketch.h"
+#include "ui/report/parts/run_figures.h"
 #include "ui/text/dressing_text.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/judgement_text.h"
+#include "ui/text/names.h"
+#include "ui/views/batch/batch_charts.h"
+#include "ui/views/batch/batch_text.h"
 #include "ui/views/overview/overview_charts.h"
-
-#include <QCoreApplication>
+#include "ui/views/profiles/longitudinal_plot.h"
+#include "ui/views/profiles/profiles_plot.h"
+#include "ui/views/profiles/profiles_text.h"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
 namespace sparkout::report {
+
+namespace {
+
+/// The figures of the accuracy passport, drawn in the window's thread.
+class PassportFigures {
+    Q_DECLARE_TR_FUNCTIONS(PassportFigures)
+public:
+    static Figure histograms(const BatchSummary& summary, const std::string& name);
+    static Figure alongThePart(const Outcome& outcome);
+    static Figure crossSections(const Outcome& outcome);
+    /// A chart of the overview; empty without data.
+    static std::optional<Figure> bars(OverviewChart which, BarChart chart);
+    static std::optional<Figure> bars(const QString& name, BarChart chart); ///< for any other chart
+};
+
+constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
+constexpr int leastBarsHeight = 110, standingBarsHeight = 230;
+constexpr std::size_t mostAcross = 4; ///< cross-sections side by side
+
+std::vector<int> allOf(const ProfileSeries& series) {
+    std::vector<int> all;
+    for (std::size_t i = 0; i < series.profiles.size(); ++i) {
+        all.push_back(static_cast<int>(i));
+    }
+    return all;
+}
+
+Figure PassportFigures::histograms(const BatchSummary& summary, const std::string& name) {
+    const std::vector<std::size_t> shown = placesOf(summary, name, mostPlaces);
+    QStringList values;
+    for (const std::size_t i : shown) {
+        const CharacteristicSummary& of = summary.characteristics[i];
+        if (of.count > 0) {
+            values << tr("%1: %2", "zone, range of values")
+                          .arg(
+                              BatchText::where(of.characteristic),
+                              BatchText::range({of.least.value, of.most.value}, of.characteristic));
+        }
+    }
+    const QString axis = BatchText::axis(summary.characteristics[shown.front()].characteristic);
+    const QString caption = placesOf(summary, name).size() > shown.size()
+                                ? tr("%1: number of parts, where the Ppk is lowest").arg(axis)
+                                : tr("%1: number of parts").arg(axis);
+    ChartPlot plot;
+    setUpForPaper(plot, histogramHeight);
+    plot.setGrid([&] { return BatchCharts::histograms(summary, name, true); });
+    return plotFigure(plot, plot.legendEntries(), caption, values.join(QStringLiteral("; ")));
+}
+
+Figure PassportFigures::alongThePart(const Outcome& outcome) {
+    using enum ProfileLine;
+    const ProfileSeries series = makeProfileSeries(outcome.result, outcome.trajectory);
+    LongitudinalPlot plot;
+    setUpForPaper(plot, alongHeight);
+    plot.setDiameters(true);
+    plot.setHidden({blank});
+    plot.setSeries(series, shaftSteps(outcome.result.project), {});
+    plot.fit();
+    return plotFigure(plot, plot.entriesOf({profile, spread, target, field, gauge}),
+                      tr("Diameter along the part against the tolerance band"),
+                      ProfilesText::summary(series, allOf(series)));
+}
+
+Figure PassportFigures::crossSections(const Outcome& outcome) {
+    using enum ProfileLine;
+    const ProfileSeries series = makeProfileSeries(outcome.result, outcome.trajectory);
+    std::vector<int> shown = allOf(series);
+    if (shown.size() > mostAcross) {
+        shown = shownSections(static_cast<int>(shown.size()), gaugeProfile(outcome.result));
+    }
+    ProfilesPlot plot;
+    setUpForPaper(plot, acrossHeight);
+    plot.setHidden({blank});
+    plot.setSeries(series, shown);
+    plot.fit();
+    return plotFigure(plot, plot.entriesOf({profile, target, leastSquares, field}),
+                      tr("Cross-sections, deviations magnified"),
+                      ProfilesText::summary(series, shown));
+}
+
+std::optional<Figure> PassportFigures::bars(OverviewChart which, BarChart chart) {
+    return bars(OverviewCharts::title(which), std::move(chart));
+}
+
+std::optional<Figure> PassportFigures::bars(const QString& name, BarChart chart) {
+    if (chart.empty()) {
+        return {};
+    }
+    const QString caption =
+        chart.remark.isEmpty() ? name : QStringLiteral("%1. %2").arg(name, chart.remark);
+    const QString description = chart.description();
+    BarPlot plot;
+    setUpForPaper(plot, leastBarsHeight);
+    plot.resize(figureWidth, std::max(BarDrawing::leastHeight(chart, plot.font()),
+                                      chart.isLying ? leastBarsHeight : standingBarsHeight));
+    plot.setChart(std::move(chart));
+    return plotFigure(plot, plot.legendEntries(), caption, description);
+}
+
+} // namespace
+
+bool PassportMeasured::applies(const Project& project) {
+    return !statisticsOfMeasured(project).empty();
+}
+
+Table PassportMeasured::table(const Project& project, const std::vector<AdequacyRow>& rows) {
+    const ValueTable shown = adequacyTable(project, rows);
+    Table table;
+    for (const ValueHead& column : shown.columns) {
+        table.head << column.text;
+        table.texts.push_back(column.isText);
+    }
+    for (const std::vector<ValueCell>& row : shown.cells) {
+        QStringList& cells = table.rows.emplace_back();
+        for (const ValueCell& cell : row) {
+            cells << cell.text;
+        }
+    }
+    return table;
+}
+
+std::vector<Block> PassportMeasured::blocks(const Subject& subject) {
+    const Project& project = subject.outcome->result.project;
+    if (!subject.predicting || !subject.predicting->ran() || !applies(project)) {
+        return {};
+    }
+    const std::vector<AdequacyRow> rows = judgeAdequacy(project, subject.predicting->result);
+    std::vector<Block> blocks{table(project, rows)};
+    for (const QString& sentence : MeasuredText::judgement(project, rows)) {
+        blocks.emplace_back(Paragraph{sentence});
+    }
+    blocks.emplace_back(Paragraph{
+        tr("Mean with Student's interval of 95 %; predicted: the range that 95 % of %n part(s) of "
+           "the batch lie in; F: the variance of the measured parts over the predicted one, with "
+           "what it stays between by chance; inside: measured parts within the predicted range.",
+           nullptr, static_cast<int>(subject.predicting->summary.parts))});
+    for (const MeasuredQuantity quantity : MeasuredBoxes::quantities(rows)) {
+        if (auto figure = PassportFigures::bars(MeasuredText::quantity(quantity),
+                                                MeasuredBoxes::chart(project, rows, quantity))) {
+            blocks.emplace_back(std::move(*figure));
+        }
+    }
+    return blocks;
+}
+
+std::vector<Block> PassportMeasured::heldOut(const Project& project) {
+    std::vector<Block> blocks;
+    for (const QString& sentence : MeasuredText::holdOut(project, holdOut(project))) {
+        blocks.emplace_back(Paragraph{sentence});
+    }
+    if (!blocks.empty()) {
+        blocks.emplace_back(
+            Paragraph{tr("The range in parentheses is that of the calibrated inputs at the ends of "
+                         "their 95 % intervals.")});
+    }
+    return blocks;
+}
+
+const CharacteristicSummary* PassportVerdict::leastCapable(const BatchSummary& summary) {
+    const CharacteristicSummary* least = nullptr;
+    for (const CharacteristicSummary& of : summary.characteristics) {
+        if (of.ppk && (!least || of.ppk->value < least->ppk->value)) {
+            least = &of;
+        }
+    }
+    return least;
+}
+
+const CharacteristicSummary* PassportVerdict::deciding(const BatchSummary& summary) {
+    const CharacteristicSummary* most = nullptr;
+    for (const CharacteristicSummary& of : summary.characteristics) {
+        if (of.outside.count > (most ? most->outside.count : 0)) {
+            most = &of;
+        }
+    }
+    return most ? most : leastCapable(summary);
+}
+
+Fitness PassportVerdict::fitness(const Subject& subject, const Judgement& judgement) {
+    if (isFailure(judgement.state)) {
+        return Fitness::unfit;
+    }
+    const Fitness ofBatch = subject.batch
+                                ? weigh(subject.batch->summary, subject.batch->result).fitness
+                                : Fitness::conditional;
+    return judgement.state == JudgedState::undecided ? std::max(ofBatch, Fitness::conditional)
+                                                     : ofBatch;
+}
+
+QString PassportVerdict::decision(const Subject& subject, const Judgement& judgement) {
+    const bool isOfBatch =
+        judgement.state == JudgedState::batchFails || !isFailure(judgement.state);
+    return !isOfBatch ? JudgementText::headline(judgement)
+           : subject.batch
+               ? BatchText::decision(*subject.batch)
+               : tr("all requirements are met; no batch is described, so scatter is not assessed");
+}
+
+std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
+    const Outcome& outcome = *subject.outcome;
+    const Judgement judgement = judgementOf(outcome, subject.batch.get());
+    Facts facts{
+        {{tr("Prediction"), JudgementText::headline(judgement)},
+         {tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject, judgement))},
+         {tr("Deciding result"), decision(subject, judgement)}}};
+    QStringList reasons;
+    if (outcome.result.status != RunStatus::completed) {
+        reasons << sparkout::verdict::status(outcome.result);
+    }
+    for (const QString& line : JudgementText::lines(judgement)) {
+        reasons << line + u'.';
+    }
+    if (subject.batch) {
+        const BatchSummary& summary = subject.batch->summary;
+        facts.facts.emplace_back(tr("Rejected parts"), BatchText::share(summary.bad));
+        if (const CharacteristicSummary* least = leastCapable(summary)) {
+            facts.facts.emplace_back(
+                tr("Minimum Ppk"),
+                QStringLiteral("%1: %2").arg(BatchText::capability(least->ppk),
+                                             BatchText::full(least->characteristic)));
+        }
+        facts.facts.emplace_back(tr("Not counted in the batch"),
+                                 BatchText::notCounted(subject.batch->result.project));
+        reasons << BatchText::run(*subject.batch) + u' ' + BatchText::counts(summary);
+        for (const CharacteristicSummary& of : summary.characteristics) {
+            if (of.outside.count > 0) {
+                reasons << tr("%1: out of tolerance %2.")
+                               .arg(BatchText::full(of.characteristic),
+                                    BatchText::share(of.outside));
+            }
+        }
+        if (summary.bad.count > 0) {
+            reasons << tr("Worst part, number %1: %2.")
+                           .arg(Names::part(summary.worstPart),
+                                JudgementText::headline(
+                                    judge(subject.worst->result, subject.worst->constraints)));
+        }
+    } else {
+        facts.facts.emplace_back(tr("Rejected parts"), tr("no batch is described"));
+    }
+    facts.facts.emplace_back(tr("Machining time"), sparkout::verdict::time(outcome.result));
+    const QString caution =
+        tr("This is the prediction of a model, to be confirmed at the machine; it is not an "
+           "assessment of conformity and does not replace measurement.");
+    std::vector<Block> blocks{facts};
+    for (const QString& reason : reasons) {
+        blocks.push_back(Paragraph{reason});
+    }
+    blocks.push_back(Paragraph{
+        subject.batch
+            ? tr("The cycle is fit when every stock within one infeed, where that is decided, and "
+                 "every part that was run reach size and meet every requirement, and the lower 95 "
+                 "% bounds of all Ppk reach %1; it is conditionally fit when no more parts are "
+                 "rejected than the share allowed, or when a requirement, the capability or the "
+                 "expected share outside is not decided or falls short. %2")
+                  .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
+            : tr("Without a batch the cycle is conditionally fit when every stock within one "
+                 "infeed, where that is decided, reaches size and meets every requirement. %1")
+                  .arg(caution)});
+    return blocks;
+}
 
 namespace {
 

@@ -43,4 +43,10 @@ private:
 /// in full.
 [[nodiscard]] Formula equation(const FormulaStep& step, const LeftOut& leftOut);
 
+/// An equation as MathML, which browsers typeset and read aloud.
+[[nodiscard]] QString mathMarkup(const Formula& formula);
+
+/// On one line: "a = 2·h/C = 2·3/4 = 1.5 mm"; only indices and powers are marked up.
+[[nodiscard]] QString inOneLine(const Formula& formula);
+
 } // namespace sparkout::report

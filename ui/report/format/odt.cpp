@@ -2,9 +2,7 @@
 #include "ui/report/format/odt.h"
 
 #include "core/workbook/zip_writer.h"
-#include "ui/report/format/formula_markup.h"
-#include "ui/report/format/odt_forms.h"
-#include "ui/report/format/odt_standard.h"
+#include "ui/report/format/formula_writer.h"
 #include "ui/report/format/odt_xml.h"
 
 #include <QBuffer>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/page_flow.h"
 
-#include "ui/report/format/formula_box.h"
-#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/formula_writer.h"
 #include "ui/report/format/text_box.h"
-#include "ui/report/format/title_sheet.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/format/page_metrics.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/format/text_box.h"
 

@@ -4,11 +4,10 @@
 #include "ui/pdf/pdf_details.h"
 #include "ui/report/format/form_sheet.h"
 #include "ui/report/format/page_flow.h"
-#include "ui/report/format/page_metrics.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QMarginsF>
+#include <QFont>
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPainter>
@@ -21,6 +20,38 @@
 #include <utility>
 
 namespace sparkout::report {
+
+const PageMetrics& metricsOf(PageStyle style) {
+    // The left margin is for filing. Head and foot have a line of text and a rule.
+    static const PageMetrics sheet{.body = 9,
+                                   .small = 7.5,
+                                   .heading = 11,
+                                   .title = 15,
+                                   .cell = 9,
+                                   .cellHead = 7.5,
+                                   .formula = 9.5,
+                                   .lineSpacing = 1,
+                                   .indent = 0,
+                                   .apart = 0,
+                                   .head = 180,
+                                   .foot = 180,
+                                   .margins_mm = {18, 12, 12, 12}};
+    // The page number takes 10 of the 20 mm below the text.
+    static const PageMetrics standard{.body = 12,
+                                      .small = 12,
+                                      .heading = 14,
+                                      .title = 16,
+                                      .cell = 10,
+                                      .cellHead = 9,
+                                      .formula = 12,
+                                      .lineSpacing = 1.5,
+                                      .indent = 354,
+                                      .apart = 100,
+                                      .head = 0,
+                                      .foot = 283,
+                                      .margins_mm = {30, 20, 15, 10}};
+    return style == PageStyle::sheet ? sheet : standard;
+}
 
 namespace {
 
@@ -278,6 +309,58 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
     }
     return painted ? withDetails(bytes, details, [&] { return !keepGoing || keepGoing(1); })
                    : QByteArray();
+}
+
+namespace {
+
+constexpr double textPoints = 12, documentPoints = 16, titlePoints = 14;
+constexpr double betweenLines = 60, groupsApart = 240; ///< tenths of a point
+constexpr double titleAt = 0.3, peopleFrom = 0.45;     ///< shares of height and width
+
+/// Lines one below the other.
+class Column {
+public:
+    Column(double x, double y, double width) : m_x(x), m_y(y), m_width(width) {}
+
+    void add(const QString& text, const QFont& font, Qt::Alignment align) {
+        const TextBox box(text, font, m_width, align);
+        m_lines.push_back({box, m_x, m_y});
+        m_y += box.height() + betweenLines;
+    }
+    void skip(double height) { m_y += height; }
+    [[nodiscard]] double bottom() const { return m_y; }
+    [[nodiscard]] std::vector<TitleSheet::Line>& lines() { return m_lines; }
+
+private:
+    double m_x, m_y, m_width;
+    std::vector<TitleSheet::Line> m_lines;
+};
+
+} // namespace
+
+std::vector<TitleSheet::Line> TitleSheet::lines(const TitlePage& title, QSizeF area) {
+    const QFont plain = reportFont(textPoints), strong = reportFont(titlePoints, true);
+    Column column(0, 0, area.width());
+    for (const QString& line : title.above) {
+        column.add(line, plain, Qt::AlignHCenter);
+    }
+    column.skip(std::max(groupsApart, titleAt * area.height() - column.bottom()));
+    column.add(title.document.toUpper(), reportFont(documentPoints, true), Qt::AlignHCenter);
+    for (const QString& line : title.title) {
+        column.add(line, strong, Qt::AlignHCenter);
+    }
+    const double from = peopleFrom * area.width();
+    Column people(from, column.bottom() + 2 * groupsApart, area.width() - from);
+    for (const auto& [part, who] : title.people) {
+        people.add(part, plain, Qt::AlignLeft);
+        people.add(who, plain, Qt::AlignLeft);
+        people.skip(betweenLines);
+    }
+    std::vector<Line> all = std::move(column.lines());
+    all.insert(all.end(), people.lines().begin(), people.lines().end());
+    const TextBox below(title.below, plain, area.width(), Qt::AlignHCenter);
+    all.push_back({below, 0, area.height() - below.height()});
+    return all;
 }
 
 } // namespace sparkout::report

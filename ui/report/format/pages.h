@@ -7,6 +7,8 @@
 #include "ui/tables/sheet.h"
 
 #include <QByteArray>
+#include <QMarginsF>
+#include <QSizeF>
 
 #include <functional>
 #include <memory>
@@ -17,6 +19,22 @@ class QPainter;
 class QPrinter;
 
 namespace sparkout::report {
+
+/// The measures of a page, by its style: type in points, distances in tenths of a point.
+struct PageMetrics {
+    double body, small, heading, title;
+    double cell, cellHead; ///< font sizes of tables
+    double formula;
+    double lineSpacing;   ///< line spacing of texts, in line heights
+    double indent;        ///< indent of a text's first line, and of a heading
+    double apart;         ///< distance of tables and figures from their neighbours
+    double head, foot;    ///< space for the head and foot of every page
+    QMarginsF margins_mm; ///< margins of the paper in addition to that space
+};
+
+/// ГОСТ 7.32: 30, 15, 20 and 20 mm of margins, type of 12 points, a line and a half, 12.5 mm of
+/// indent.
+[[nodiscard]] const PageMetrics& metricsOf(PageStyle style);
 
 /// A report laid out on pages of a size: one layout for the preview, the printer and the PDF. Rows
 /// and lines are never cut; a continued table repeats its head.
@@ -76,5 +94,17 @@ void setUpPaper(QPagedPaintDevice& device, const Report& report);
 
 /// A PDF with embedded fonts, an outline and its properties; empty on failure or after a stop.
 [[nodiscard]] QByteArray pdf(const Report& report, const KeepGoing& keepGoing = {});
+
+/// A title page laid out.
+class TitleSheet {
+public:
+    struct Line {
+        TextBox box;
+        double x, y;
+    };
+    /// The institution at the top, the kind and title in the middle, the people at the right, place
+    /// and year at the foot.
+    [[nodiscard]] static std::vector<Line> lines(const TitlePage& title, QSizeF area);
+};
 
 } // namespace sparkout::report

@@ -2,7 +2,7 @@
 #include "ui/report/format/report_text.h"
 
 #include "ui/plot/svg_device.h"
-#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/formula_writer.h"
 #include "ui/report/format/odt.h"
 #include "ui/report/format/pages.h"
 #include "ui/text/texts.h"

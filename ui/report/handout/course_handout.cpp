@@ -2,16 +2,11 @@
 #include "ui/report/handout/course_handout.h"
 
 #include "core/study/search_edits.h"
-#include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/dynamic_programming/state_grid_plot.h"
 #include "ui/dynamic_programming/state_grid_text.h"
-#include "ui/report/format/plot_figure.h"
 #include "ui/report/handout/exercises.h"
-#include "ui/report/handout/handout_task.h"
 #include "ui/report/handout/worked_step.h"
-#include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/operation_setup.h"
-#include "ui/report/parts/part_sketch.h"
 #include "ui/report/parts/run_figures.h"
 #include "ui/text/number_text.h"
 

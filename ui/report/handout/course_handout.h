@@ -4,7 +4,6 @@
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
 #include "ui/report/handout/handout_step.h"
-#include "ui/report/handout/handout_view.h"
 
 #include <functional>
 #include <set>

@@ -6,6 +6,8 @@
 #include <QString>
 
 #include <optional>
+#include <set>
+#include <span>
 
 namespace sparkout::report {
 
@@ -34,5 +36,23 @@ struct StepWish {
 /// was recorded.
 [[nodiscard]] std::optional<HandoutStep> findStep(const Trajectory& trajectory,
                                                   const StepWish& wish = {});
+
+/// The possible figures of the hand-out.
+enum class HandoutView {
+    feeds,    ///< feeds around the step, with E1…E5
+    cycle,    ///< feeds over the whole cycle
+    profiles, ///< cross-sections at the end
+    limits,   ///< actual feed below its limits
+    grid,     ///< of dynamic programming
+};
+struct HandoutViewRow {
+    HandoutView view;
+    const char* key;  ///< on the command line and in the settings
+    const char* name; ///< to be translated in the context HandoutView
+};
+[[nodiscard]] std::span<const HandoutViewRow> handoutViews();
+/// Reads "feeds,limits"; empty if one is unknown. An empty text means none of them.
+[[nodiscard]] std::optional<std::set<HandoutView>> readHandoutViews(const QString& text);
+[[nodiscard]] QString handoutViewText(const std::set<HandoutView>& views);
 
 } // namespace sparkout::report

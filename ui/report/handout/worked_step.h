@@ -10,8 +10,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 namespace sparkout::report {
@@ -46,6 +48,19 @@ public:
     static StepBlocks formulas(const Outcome& outcome, const HandoutStep& step,
                                Citations& citations, const Hidden& hidden = {});
     static Table limits(const Outcome& outcome, const HandoutStep& step, bool results = true);
+};
+
+/// The task of the hand-out, and the inputs for it.
+class HandoutTask {
+    Q_DECLARE_TR_FUNCTIONS(HandoutTask)
+public:
+    static Facts header(const Project& project, const QString& file, const QDate& date);
+    static QString task(const Outcome& outcome); ///< with the cycle time
+    static QString part(const Project& project); ///< the ground part
+    /// The inputs in the formulas, and those behind the step's feed and stock.
+    static Table inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
+                        const std::set<QString>& symbols, Citations& citations,
+                        const std::function<bool(std::string_view path)>& hides = {});
 };
 
 } // namespace sparkout::report

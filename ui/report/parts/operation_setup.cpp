@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/operation_setup.h"
 
+#include "core/format/project_file.h"
+#include "core/measured/calibrated_inputs.h"
 #include "core/process/recipe_force.h"
 #include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/measured.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/units.h"
+#include "core/version.h"
 #include "ui/report/parts/cell_text.h"
-#include "ui/report/parts/input_fact.h"
+#include "ui/text/calibration_text.h"
+#include "ui/text/example_texts.h"
+#include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/text/output_text.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/texts.h"
+
+#include <QFileInfo>
+#include <QLocale>
 
 #include <cmath>
 #include <numbers>
@@ -168,6 +176,45 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
     rest(sum, outcome.shop.cycle, cell({}));
     table.lastIsSum = true;
     table.texts = {true};
+    return table;
+}
+
+Report begunReport(const QString& title, const Project& project, const QString& file,
+                   const QDate& date) {
+    Report report;
+    report.title = title;
+    QStringList subject{manyLines(exampleTitle(project.title)).simplified(),
+                        manyLines(exampleTitle(project.part->name)).simplified()};
+    subject.removeAll(QString());
+    subject.removeDuplicates();
+    report.subject = subject.join(QStringLiteral(" · "));
+    report.author = oneLine(project.author);
+    report.file = manyLines(QFileInfo(file).fileName()).simplified();
+    report.program = QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version));
+    report.language = QLocale().bcp47Name().section(u'-', 0, 0);
+    report.date = date;
+    Project inputs = project; // kept runs are not inputs of this paper
+    inputs.runs = {};
+    report.inputs = QByteArray::fromStdString(writeProject(inputs));
+    return report;
+}
+
+Table CalibratedTable::of(const Project& project) {
+    Table table;
+    table.head = {tr("Input"), tr("Value found"), tr("95 % interval"), tr("Unit"),
+                  tr("Data"),  tr("n"),           tr("Date"),          tr("In use")};
+    table.texts = {true, false, false, true, true, false, true, true};
+    if (!project.measured) {
+        return table;
+    }
+    for (const Calibration& record : project.measured->calibrations) {
+        table.rows.push_back(
+            {locationText(record.input), CalibrationText::number(record.value),
+             cell(CalibrationText::interval(record)), cell(CalibrationText::unit(project, record)),
+             cell(oneLine(record.data)), QString::number(record.count),
+             cell(CalibrationText::date(record)),
+             hasCalibratedValue(project, record) ? tr("yes") : tr("no, changed since")});
+    }
     return table;
 }
 

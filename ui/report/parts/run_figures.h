@@ -2,11 +2,25 @@
 #pragma once
 
 #include "core/study/outcome.h"
+#include "ui/plot/legend.h"
 #include "ui/report/format/report.h"
 
 #include <optional>
 
+class QCustomPlot;
+
+/// Plots of the views as figures of a report. In the window's thread.
 namespace sparkout::report {
+
+/// Width of a figure in its own units.
+inline constexpr int figureWidth = 820;
+
+/// Sets up a plot for white paper, the same on every device; call before setting its data.
+void setUpForPaper(QCustomPlot& plot, int height);
+
+/// The plot as vector graphics, with its legend above.
+[[nodiscard]] Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend,
+                                const QString& caption, const QString& description);
 
 /// The feeds of the whole cycle by zone or section; empty if it was too long to record.
 [[nodiscard]] std::optional<Figure> feedsFigure(const OutcomePtr& outcome);
@@ -21,5 +35,8 @@ namespace sparkout::report {
 /// The actual feed over the stock left below its limits, at a place of the cycle; empty without
 /// cuts.
 [[nodiscard]] std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at);
+
+/// The part between its supports with its dimensions, the zones or sections and the gauge.
+[[nodiscard]] Figure partSketch(const OutcomePtr& outcome);
 
 } // namespace sparkout::report

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/batch_figures.h"
 
-#include "ui/tables/output_cells.h"
+#include "ui/text/field_text.h"
 #include "ui/text/names.h"
-#include "ui/text/output_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
 

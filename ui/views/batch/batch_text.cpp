@@ -5,7 +5,7 @@
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
 #include "core/quality/roughness.h"
-#include "ui/plot/run_bar.h"
+#include "ui/plot/plot_view.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/study_view.h"
+#include "ui/plot/plot_view.h"
 
 #include <functional>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include "ui/charts/compare_plot.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/plot/feed_text.h"
 #include "ui/plot/plot_tools.h"
+#include "ui/plot/quantity_colour.h"
 
 #include <QActionGroup>
 

@@ -3,12 +3,10 @@
 
 #include "core/project/gauge.h"
 #include "ui/kit/tool_row.h"
-#include "ui/plot/cursor_strip.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/compliance_plot.h"
-#include "ui/views/compliance/compliance_studies.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -18,8 +16,42 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
+
+void ComplianceStudies::placeGauge(const OutcomePtr& outcome) {
+    m_running = true;
+    m_job.start([this, outcome](const std::stop_token& stop, const NewestJob::Post& post) {
+        const Project& project = outcome->result.project;
+        const auto progress = [&](std::size_t done, std::size_t total) {
+            post([this, done, total] { emit progressed(int(done), int(total)); });
+        };
+        auto placement = std::make_shared<GaugePlacement>(
+            sparkout::placeGauge(project, gaugeCandidates(project, places), progress, stop));
+        post([this, placement = GaugePlacementPtr(std::move(placement)), outcome] {
+            m_running = false;
+            emit gaugePlaced(placement, outcome);
+        });
+    });
+}
+
+void ComplianceStudies::compareCoupling(const OutcomePtr& outcome) {
+    m_running = true;
+    m_job.start([this, outcome](const std::stop_token& stop, const NewestJob::Post& post) {
+        auto comparison = std::make_shared<CouplingComparison>(
+            sparkout::compareCoupling(outcome->result.project, stop));
+        post([this, comparison = CouplingPtr(std::move(comparison)), outcome] {
+            m_running = false;
+            emit couplingCompared(comparison, outcome);
+        });
+    });
+}
+
+void ComplianceStudies::stop() {
+    m_running = false;
+    m_job.stop();
+}
 
 ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     : PlotView(QStringLiteral("compliance"), parent, settings)

@@ -3,7 +3,6 @@
 
 #include "core/units.h"
 #include "ui/plot/free_place.h"
-#include "ui/plot/hair_line.h"
 #include "ui/plot/painted_layer.h"
 
 #include <algorithm>

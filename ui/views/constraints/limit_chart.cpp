@@ -3,7 +3,7 @@
 
 #include "core/project/machine.h"
 #include "core/units.h"
-#include "ui/plot/quantity_line.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds/feeds_chart.h"
 
-#include "ui/plot/feed_text.h"
 #include "ui/plot/plot_style.h"
-#include "ui/plot/quantity_line.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "core/simulation/feed_curves.h"
 #include "core/study/outcome.h"
-#include "ui/plot/legend_drawing.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/line_chart.h"
 
 #include <QCoreApplication>

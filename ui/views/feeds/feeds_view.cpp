@@ -8,14 +8,12 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/kit/tool_row.h"
-#include "ui/plot/cursor_strip.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
 #include "ui/views/feeds/feeds_note.h"
 #include "ui/views/feeds/feeds_overview.h"
 #include "ui/views/feeds/feeds_plot.h"
-#include "ui/views/feeds/trace_comparer.h"
 #include "ui/views/feeds/traces_plot.h"
 
 #include <QComboBox>

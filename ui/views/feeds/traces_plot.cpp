@@ -3,7 +3,7 @@
 
 #include "core/project/measured.h"
 #include "core/units.h"
-#include "ui/plot/quantity_line.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "words/measured_words.h"
@@ -13,6 +13,25 @@
 #include <utility>
 
 namespace sparkout {
+
+TraceComparer::TraceComparer(QObject* parent) : QObject(parent) {}
+
+void TraceComparer::compare(const OutcomePtr& outcome) {
+    m_running = true;
+    m_job.start([this, outcome](const std::stop_token& stop, const NewestJob::Post& post) {
+        auto traces = std::make_shared<std::vector<TraceComparison>>(
+            compareTraces(outcome->result.project, outcome->result.countsByStage, stop));
+        post([this, outcome, found = TraceComparisonsPtr(std::move(traces))] {
+            m_running = false;
+            emit compared(found, outcome);
+        });
+    });
+}
+
+void TraceComparer::drop() {
+    m_running = false;
+    m_job.stop();
+}
 
 namespace {
 

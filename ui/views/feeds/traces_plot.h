@@ -1,12 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/feeds/cycle_plot.h"
-#include "ui/views/feeds/trace_comparer.h"
+#include "core/identification/trace_comparison.h"
+#include "core/study/outcome.h"
+#include "ui/session/newest_job.h"
+#include "ui/views/feeds/feeds_plot.h"
 
+#include <QObject>
 #include <QString>
 
+#include <memory>
+#include <vector>
+
 namespace sparkout {
+
+using TraceComparisonsPtr = std::shared_ptr<const std::vector<TraceComparison>>;
+
+/// Compares the traces of a project with its run on another thread; a newer run replaces the older
+/// one.
+class TraceComparer : public QObject {
+    Q_OBJECT
+
+public:
+    explicit TraceComparer(QObject* parent = nullptr);
+
+    void compare(const OutcomePtr& outcome);
+    void drop(); ///< discards a running comparison
+    [[nodiscard]] bool running() const { return m_running; }
+
+signals:
+    void compared(sparkout::TraceComparisonsPtr traces, sparkout::OutcomePtr of);
+
+private:
+    bool m_running = false;
+    NewestJob m_job; ///< last member: stopped before the objects it reports to are destroyed
+};
 
 /// The fourth row of the view "Feeds by stage": measurements over the time of a cycle, a cell for
 /// each quantity, with the simulated curve and, on the right axis, their difference. Its times

@@ -1,11 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/layers/part_plot.h"
+#include "core/simulation/stock_layers.h"
+#include "ui/plot/chart_plot.h"
+#include "ui/plot/legend.h"
+#include "ui/plot/painted_layer.h"
+
+#include <QCoreApplication>
+#include <QPalette>
+#include <QString>
 
 #include <optional>
 
 namespace sparkout {
+
+class BandLayer;
+
+/// Colours and words that the stacked layers and their surface share.
+class LayersLook {
+    Q_DECLARE_TR_FUNCTIONS(LayersLook)
+public:
+    [[nodiscard]] static QColor stage(int stage, const QPalette& palette); ///< counted from 1
+    /// The colour of a layer, lighter for every other one, so that neighbours differ.
+    [[nodiscard]] static QColor layer(const LayerSeries& series, std::size_t span,
+                                      const QPalette& palette);
+    /// The zones or sections along the length, by rising length.
+    [[nodiscard]] static std::vector<Band> zoneBands(const LayerSeries& series,
+                                                     const QPalette& palette);
+    [[nodiscard]] static QColor uncut(const QPalette& palette); ///< stock still to be removed
+    /// A swatch for each stage; the key is its number.
+    [[nodiscard]] static LegendEntries stages(const LayerSeries& series, const CurveChoice& choice,
+                                              const QPalette& palette);
+    /// "Double strokes 3…5, stage 1".
+    [[nodiscard]] static QString spanName(const LayerSeries& series, std::size_t span);
+    /// The layer of a zone or section in words and numbers.
+    [[nodiscard]] static QString values(const LayerSeries& series, const LayersDone& done,
+                                        std::size_t column, std::size_t span);
+};
+
+/// A plot with one cell: the part's length over its axis of rotation, with its zones or sections as
+/// bands; radii from the target in micrometres, far above the axis, which is drawn in a strip below
+/// the cell after a break line.
+class PartPlot : public ChartPlot {
+    Q_OBJECT
+public:
+    void restyle() override;
+
+    [[nodiscard]] QRect painted() const; ///< the cell and the strip below it
+    [[nodiscard]] int stripHeight() const;
+    void drawPartAxis(QCPPainter& painter) const;
+
+protected:
+    explicit PartPlot(QWidget* parent);
+
+    [[nodiscard]] virtual const LayerSeries& zones() const = 0; ///< series with the bands
+    [[nodiscard]] static LineChart partChart();                 ///< without series
+    void setTexts() override;
+
+private:
+    void fillBands();
+
+    BandLayer* m_bands;
+};
 
 /// The stock in a section along the part's axis, layer on layer, from the blank to the final
 /// radius, with the tolerance; stock not cut yet is shown as metal.

@@ -3,7 +3,7 @@
 
 #include "core/units.h"
 #include "ui/kit/tool_row.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/layers/layers_plot.h"

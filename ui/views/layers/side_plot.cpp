@@ -9,7 +9,6 @@
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
-#include "ui/views/layers/layers_look.h"
 
 #include <algorithm>
 #include <tuple>

@@ -3,7 +3,7 @@
 
 #include "core/simulation/grinding_scene.h"
 #include "core/study/outcome.h"
-#include "ui/views/layers/part_plot.h"
+#include "ui/views/layers/layers_plot.h"
 
 namespace sparkout {
 

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "ui/tables/csv_table.h"
-#include "ui/tables/table_model.h"
+#include "ui/tables/value_table.h"
 
 #include <QString>
 

@@ -3,7 +3,7 @@
 
 #include "core/adequacy/adequacy.h"
 #include "core/identification/hold_out.h"
-#include "ui/plot/study_view.h"
+#include "ui/plot/plot_view.h"
 #include "ui/session/newest_job.h"
 
 #include <array>

@@ -5,7 +5,6 @@
 #include "core/project/optimisation.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/text/time_unit.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QLocale>

@@ -3,7 +3,7 @@
 
 #include "ui/plot/chart_plot.h"
 #include "ui/session/studies.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 
 #include <optional>
 

@@ -8,7 +8,7 @@
 #include "core/units.h"
 #include "ui/charts/verdict_table.h"
 #include "ui/measured/measured_boxes.h"
-#include "ui/plot/feed_text.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"

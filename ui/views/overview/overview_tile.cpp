@@ -5,7 +5,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_tools.h"
 
 #include <QHBoxLayout>

@@ -8,7 +8,7 @@
 #include "ui/bars/bar_plot.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/session/kept_runs.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"

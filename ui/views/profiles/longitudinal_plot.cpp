@@ -4,12 +4,11 @@
 #include "core/project/part.h"
 #include "core/units.h"
 #include "ui/charts/longitudinal_layers.h"
-#include "ui/plot/band_layer.h"
 #include "ui/plot/free_place.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
-#include "ui/views/profiles/profiles_table.h"
 #include "ui/views/profiles/profiles_text.h"
 
 #include <algorithm>

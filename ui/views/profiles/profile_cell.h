@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/magnified_profile.h"
 #include "ui/charts/profiles_look.h"
+#include "ui/plot/painted_layer.h"
 
 #include <QFont>
 #include <QPalette>
@@ -16,10 +16,121 @@ class QCustomPlot;
 
 namespace sparkout {
 
-class PolarCircle;
-class PolarGrid;
-class PolarPointer;
-class PolarRing;
+/// A layer drawn about the origin of an axis rect with equal scales.
+class PolarLayer : public PaintedLayer {
+    Q_OBJECT
+public:
+    PolarLayer(QCPAxisRect* rect, const QString& layer);
+
+protected:
+    [[nodiscard]] QPointF centre() const; ///< [px]
+    [[nodiscard]] double scale() const;   ///< pixels per unit of the axes
+    void drawCircle(QCPPainter* painter, double radius) const;
+
+    /// The part of the plane inside the axis rect, seen from the origin [px, rad].
+    struct VisiblePart {
+        double near = 0, far = 0, from = 0, span = 0;
+    };
+    [[nodiscard]] VisiblePart visiblePart() const;
+    [[nodiscard]] QPolygonF arc(const VisiblePart& part, double radius_px) const;
+};
+
+/// The ring between two radii, with its edges.
+class PolarRing : public PolarLayer {
+    Q_OBJECT
+public:
+    using PolarLayer::PolarLayer;
+    /// A negative inner radius leaves no hole; nothing is drawn beyond `reach`.
+    void setRing(double inner, double outer, double reach);
+    void setLook(const QPen& edge, const QColor& fill);
+    [[nodiscard]] double inner() const { return m_inner; }
+    [[nodiscard]] double outer() const { return m_outer; }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    double m_inner = 0, m_outer = 0, m_reach = 0;
+    QPen m_edge;
+    QColor m_fill;
+};
+
+/// One circle about the origin, as a line.
+class PolarCircle : public PolarLayer {
+    Q_OBJECT
+public:
+    using PolarLayer::PolarLayer;
+    void setRadius(double radius) { m_radius = radius; }
+    void setPen(const QPen& pen) { m_pen = pen; }
+    [[nodiscard]] double radius() const { return m_radius; }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    double m_radius = 0;
+    QPen m_pen;
+};
+
+/// Spokes every 30° with the four main angles named, and circles at round deviations with their
+/// values in µm.
+class PolarGrid : public PolarLayer {
+    Q_OBJECT
+public:
+    using PolarLayer::PolarLayer;
+    void setScale(const PolarScale& scale, double reach);
+    void setLine(std::vector<ProfilePoint> line); ///< labels are placed beside it, by replot()
+    [[nodiscard]] const QStringList& drawnLabels() const {
+        return m_labels;
+    } ///< as of the last replot
+    [[nodiscard]] const std::vector<QRectF>& labelBoxes() const { return m_boxes; } ///< theirs
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    struct Mark {
+        double radius = 0;
+        QString text;
+    };
+    struct Label {
+        QRectF box;
+        QString text;
+    };
+    [[nodiscard]] std::vector<Mark> marks() const;
+    [[nodiscard]] std::vector<Label> labelsAlong(const std::vector<Mark>& marks,
+                                                 double angle) const;
+    void drawSpokes(QCPPainter* painter);
+    void drawLabels(QCPPainter* painter, const std::vector<Mark>& marks);
+    [[nodiscard]] QRectF labelBox(const Mark& mark, double angle, double away) const;
+    [[nodiscard]] bool hasRoom(const QRectF& box) const;
+    [[nodiscard]] bool isCrossed(const QRectF& box) const; ///< by the profile
+    void drawText(QCPPainter* painter, const QRectF& box, const QString& text) const;
+
+    PolarScale m_scale;
+    double m_reach = 1;
+    std::vector<ProfilePoint> m_line;
+    QStringList m_labels;
+    std::vector<QRectF> m_boxes;
+    std::vector<QRectF> m_names; ///< areas of the angle names
+};
+
+/// Points at one sample and the opposite one.
+class PolarPointer : public PolarLayer {
+    Q_OBJECT
+public:
+    explicit PolarPointer(QCPAxisRect* rect);
+    void point(double angle, double here, double across); ///< drawn radii
+    void clear() { m_shown = false; }
+    [[nodiscard]] bool shown() const { return m_shown; }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    bool m_shown = false;
+    double m_angle = 0, m_here = 0, m_across = 0;
+};
 
 /// One cross-section of ProfilesPlot: its header, its drawing and its numbers, beside or below. The
 /// parts belong to the plot.

@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/magnified_profile.h"
+#include "ui/charts/profiles_look.h"
 #include "ui/views/profiles/framed_plot.h"
-#include "ui/views/profiles/measured_section.h"
 #include "ui/views/profiles/profile_cell.h"
+
+#include <QCoreApplication>
+#include <QString>
 
 #include <optional>
 #include <utility>
 #include <vector>
 
+class QWidget;
+
 namespace sparkout {
+
+/// A cross-section recorded by a roundness machine, for comparison with the predicted ones.
+struct MeasuredSection {
+    Q_DECLARE_TR_FUNCTIONS(MeasuredSection)
+
+public:
+    QString name; ///< name of its file
+    std::vector<double> radii_mm;
+
+    /// Asks for a table of angles and radii and reads it; shows any error.
+    [[nodiscard]] static std::optional<MeasuredSection> ask(QWidget* window,
+                                                            double nominalRadius_mm);
+    /// Reads a file; empty, with the reason, if it is invalid.
+    [[nodiscard]] static std::optional<MeasuredSection>
+    read(const QString& path, double nominalRadius_mm, QString& reason);
+};
 
 /// Cross-sections side by side with magnified deviations: one cell for each zone or section, all at
 /// the same scale and magnification and moved together. Samples are joined by straight lines.

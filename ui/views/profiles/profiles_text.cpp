@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profiles_text.h"
 
-#include "core/study/length_lines.h"
+#include "core/form/harmonics.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 
-#include <QStringList>
-
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace sparkout {
 
@@ -163,6 +165,294 @@ QString ProfilesText::summary(const ProfileSeries& series, const std::vector<int
             numbers(series, p, false).replace(u'\n', QStringLiteral("; ")));
     }
     return sentences.join(QStringLiteral(". "));
+}
+
+Profile shownProfile(Profile profile, ReferenceCircles circles, std::optional<int> cutoff_upr) {
+    if (cutoff_upr) {
+        filterProfile(profile, *cutoff_upr);
+    }
+    if (circles == ReferenceCircles::minimumZone) {
+        addMinimumZone(profile);
+    } else if (circles == ReferenceCircles::inscribed
+               || circles == ReferenceCircles::circumscribed) {
+        addHeldCircles(profile);
+    }
+    return profile;
+}
+
+const RoundnessZone* shownZone(const Profile& profile, ReferenceCircles circles) {
+    const auto held = [](const std::optional<RoundnessZone>& zone) {
+        return zone ? &*zone : nullptr;
+    };
+    switch (circles) {
+    case ReferenceCircles::leastSquares: return &profile.leastSquares;
+    case ReferenceCircles::minimumZone: return &profile.minimumZone;
+    case ReferenceCircles::inscribed: return held(profile.inscribed);
+    case ReferenceCircles::circumscribed: return held(profile.circumscribed);
+    case ReferenceCircles::none: break;
+    }
+    return nullptr;
+}
+
+std::optional<ProfileLine> lineOf(ReferenceCircles circles) {
+    switch (circles) {
+    case ReferenceCircles::leastSquares: return ProfileLine::leastSquares;
+    case ReferenceCircles::minimumZone: return ProfileLine::minimumZone;
+    case ReferenceCircles::inscribed: return ProfileLine::inscribed;
+    case ReferenceCircles::circumscribed: return ProfileLine::circumscribed;
+    case ReferenceCircles::none: break;
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+/// Radii of the drawn circles in a direction [mm].
+std::vector<double> circleRadii(const Profile& profile, ReferenceCircles circles, double phi) {
+    const RoundnessZone* const zone = shownZone(profile, circles);
+    const auto at = [&](double radius) { return radiusOf({zone->x_mm, zone->y_mm, radius}, phi); };
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    switch (circles) {
+    case ReferenceCircles::leastSquares: return {at(zone->reference_mm)};
+    case ReferenceCircles::minimumZone: return {at(zone->inner_mm), at(zone->outer_mm)};
+    case ReferenceCircles::inscribed:
+    case ReferenceCircles::circumscribed: return {zone ? at(zone->reference_mm) : none};
+    case ReferenceCircles::none: break;
+    }
+    return {};
+}
+
+} // namespace
+
+QStringList ProfilesTable::circleNames(ReferenceCircles circles) {
+    switch (circles) {
+    case ReferenceCircles::leastSquares: return {tr("%1: least-squares circle from target, µm")};
+    case ReferenceCircles::minimumZone:
+        return {tr("%1: inner circle of the minimum zone from target, µm"),
+                tr("%1: outer circle of the minimum zone from target, µm")};
+    case ReferenceCircles::inscribed: return {tr("%1: maximum inscribed circle from target, µm")};
+    case ReferenceCircles::circumscribed:
+        return {tr("%1: minimum circumscribed circle from target, µm")};
+    case ReferenceCircles::none: break;
+    }
+    return {};
+}
+
+CsvTable ProfilesTable::across(const ProfileSeries& series, const std::vector<Profile>& drawn,
+                               const QStringList& names, ReferenceCircles circles,
+                               const ProfileLines& hidden) {
+    const auto on = [&](ProfileLine line) { return !hidden.contains(line); };
+    const auto line = lineOf(circles);
+    const bool hasCircles = line && on(*line);
+    const auto fromTarget_um = [&](double radius_mm) {
+        return (radius_mm - series.target_mm) * units::umPerMm;
+    };
+    const auto radii = static_cast<std::size_t>(series.radii());
+    const auto hasOwnAngles = [radii](const Profile& p) { return p.radii_mm.size() != radii; };
+    CsvTable table;
+    table.header = {tr("radius no."), tr("angle, °")};
+    if (on(ProfileLine::blank)) {
+        table.header << tr("blank: radius from target, µm");
+    }
+    std::size_t rows = radii;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const QString& name = names.at(static_cast<qsizetype>(i));
+        rows = std::max(rows, drawn[i].radii_mm.size());
+        if (hasOwnAngles(drawn[i])) {
+            table.header << tr("%1: angle, °").arg(name);
+        }
+        if (on(ProfileLine::profile)) {
+            table.header << tr("%1: radius from target, µm").arg(name);
+        }
+        for (const QString& circle : hasCircles ? circleNames(circles) : QStringList()) {
+            table.header << circle.arg(name);
+        }
+    }
+    constexpr double turn_deg = 360;
+    for (std::size_t k = 0; k < rows; ++k) {
+        const auto angle = [k](std::size_t count) {
+            return static_cast<double>(k) * turn_deg / static_cast<double>(count);
+        };
+        const bool has = k < radii;
+        std::vector<CsvCell> row{double(k), has ? CsvCell(angle(radii)) : CsvCell()};
+        if (on(ProfileLine::blank)) {
+            row.push_back(has ? CsvCell(fromTarget_um(series.blank_mm[k])) : CsvCell());
+        }
+        for (const Profile& p : drawn) {
+            const std::size_t count = p.radii_mm.size();
+            const bool own = k < count;
+            if (hasOwnAngles(p)) {
+                row.push_back(own ? CsvCell(angle(count)) : CsvCell());
+            }
+            if (on(ProfileLine::profile)) {
+                row.push_back(own ? CsvCell(fromTarget_um(p.radii_mm[k])) : CsvCell());
+            }
+            const double phi = angleOf(static_cast<int>(k), static_cast<int>(count));
+            for (const double radius :
+                 hasCircles ? circleRadii(p, circles, phi) : std::vector<double>()) {
+                row.push_back(own && !std::isnan(radius) ? CsvCell(fromTarget_um(radius))
+                                                         : CsvCell());
+            }
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+CsvTable ProfilesTable::along(const ProfileSeries& series, LengthQuantity quantity,
+                              const ProfileLines& hidden) {
+    const auto on = [&](ProfileLine line) { return !hidden.contains(line); };
+    const QString value = quantity == LengthQuantity::radius_mm ? tr("radius, mm")
+                          : quantity == LengthQuantity::diameter_um
+                              ? tr("diameter from nominal, µm")
+                              : tr("radius from target, µm");
+    struct Column {
+        ProfileLine line;
+        LengthLine curve;
+        QString name;
+    };
+    const Column columns[] = {
+        {ProfileLine::profile, LengthLine::mean, tr("mean %1")},
+        {ProfileLine::spread, LengthLine::min, tr("minimum %1")},
+        {ProfileLine::spread, LengthLine::max, tr("maximum %1")},
+        {ProfileLine::blank, LengthLine::blankMin, tr("blank, minimum %1")},
+        {ProfileLine::blank, LengthLine::blankMax, tr("blank, maximum %1")},
+        {ProfileLine::target, LengthLine::target, tr("target %1")},
+        {ProfileLine::field, LengthLine::lowerLimit, tr("lower limit %1")},
+        {ProfileLine::field, LengthLine::upperLimit, tr("upper limit %1")},
+    };
+    CsvTable table;
+    table.header = {series.operation->travels ? tr("zone") : tr("section"), tr("from, mm"),
+                    tr("middle, mm"), tr("to, mm")};
+    for (const Column& column : columns) {
+        if (on(column.line)) {
+            table.header << column.name.arg(value);
+        }
+    }
+    for (const Profile& p : alongThePart(series)) {
+        std::vector<CsvCell> row{Names::zone(p.zone, p.section), p.from_mm, p.position_mm, p.to_mm};
+        for (const Column& column : columns) {
+            if (on(column.line)) {
+                row.emplace_back(lengthValue(series, p, column.curve, quantity));
+            }
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+namespace {
+
+constexpr int visibleUndulations = 18;
+constexpr double barShare = 0.4;      ///< width relative to the step between two bars
+constexpr double faintest_um = 1e-4;  ///< a tenth of a nanometre: smaller is out of sight
+constexpr double spectrumRoom = 1.15; ///< headroom above the highest bar
+constexpr double logarithmicRoom = 2;
+
+/// Amplitudes by the number of undulations [µm]; number 0 is the mean radius.
+std::vector<double> spectrumOf(const std::vector<double>& radii_mm, const Directions& directions) {
+    std::vector<double> amplitudes;
+    for (const Harmonic& harmonic : harmonics(radii_mm, directions)) {
+        amplitudes.push_back(harmonic.amplitude_mm * units::umPerMm);
+    }
+    return amplitudes;
+}
+
+ChartSeries barsOf(const std::vector<double>& spectrum, ProfileLine line, double beside) {
+    ChartSeries bars{.key = static_cast<int>(line),
+                     .name = ProfileLook::name(line),
+                     .kind = ChartSeries::Kind::bars,
+                     .colour =
+                         line == ProfileLine::blank ? style::Drawn::blank : style::Drawn::profile,
+                     .barWidth = barShare};
+    for (std::size_t n = 1; n < spectrum.size(); ++n) {
+        bars.points.push_back({static_cast<double>(n) + beside, spectrum[n]});
+    }
+    return bars;
+}
+
+} // namespace
+
+ChartGrid SpectrumCharts::of(const ProfileSeries& series, const std::vector<int>& shown,
+                             bool isLogarithmic, const std::function<bool(ProfileLine)>& isShown) {
+    ChartGrid grid;
+    if (series.profiles.empty() || shown.empty()) {
+        return grid;
+    }
+    grid.columns = shown.size();
+    grid.caption = tr("Undulations per revolution");
+    grid.sharesValues = true;
+    const Directions directions(series.blank_mm.size());
+    const std::vector<double> blank = spectrumOf(series.blank_mm, directions);
+    QStringList names;
+    std::vector<std::vector<double>> spectra;
+    for (const int index : shown) {
+        const Profile& profile = series.profiles[static_cast<std::size_t>(index)];
+        spectra.push_back(spectrumOf(profile.radii_mm, directions));
+        LineChart chart;
+        chart.heading = chart.briefHeading = Names::zone(profile.zone, profile.section);
+        chart.series = {barsOf(blank, ProfileLine::blank, -barShare / 2),
+                        barsOf(spectra.back(), ProfileLine::profile, barShare / 2)};
+        chart.placeText = [name = chart.heading, blank, left = spectra.back()](double place) {
+            const auto n = std::lround(place);
+            if (n < 1 || n >= std::ssize(left)) {
+                return QString();
+            }
+            const auto um = [n](const std::vector<double>& spectrum) {
+                return Names::significant(spectrum[static_cast<std::size_t>(n)]);
+            };
+            return (n == 1 ? tr("%1, %2 undulation per revolution (eccentricity): amplitude %3 µm, "
+                                "of the blank %4 µm")
+                           : tr("%1, %2 undulations per revolution: amplitude %3 µm, of the blank "
+                                "%4 µm"))
+                .arg(name, QString::number(n), um(left), um(blank));
+        };
+        names << chart.heading;
+        grid.cells.push_back(std::move(chart));
+    }
+    double highest = 0; // one scale for all
+    for (const LineChart& chart : grid.cells) {
+        for (const ChartSeries& bars : chart.series) {
+            for (const XY& bar : bars.points) {
+                highest = std::max(highest, bar.y);
+            }
+        }
+    }
+    const int last = std::clamp(static_cast<int>(blank.size()) - 1, 2, visibleUndulations);
+    for (LineChart& chart : grid.cells) {
+        chart.across = {.range = {0.4, last + 0.6}, .room = 0, .isCounted = true, .hasGrid = false};
+        chart.up = {.label = tr("Amplitude, µm"), .room = 0, .isLogarithmic = isLogarithmic};
+        chart.up.range =
+            isLogarithmic
+                ? ChartSpan{faintest_um, std::max(highest, 10 * faintest_um) * logarithmicRoom}
+                : ChartSpan{0, std::max(highest, faintest_um) * spectrumRoom};
+    }
+    grid.cells.front().table = [names, blank, spectra, isShown] {
+        ChartTable table;
+        table.cells.header << tr("undulations per revolution");
+        const bool withBlank = isShown(ProfileLine::blank);
+        const bool withProfile = isShown(ProfileLine::profile);
+        if (withBlank) {
+            table.cells.header << tr("blank: amplitude, µm");
+        }
+        for (const QString& name : withProfile ? names : QStringList()) {
+            table.cells.header << tr("%1: amplitude, µm").arg(name);
+        }
+        for (std::size_t n = 1; n < blank.size(); ++n) {
+            const auto place = static_cast<double>(n);
+            std::vector<CsvCell> row{place};
+            if (withBlank) {
+                row.emplace_back(blank[n]);
+            }
+            for (std::size_t i = 0; withProfile && i < spectra.size(); ++i) {
+                row.emplace_back(spectra[i][n]);
+            }
+            table.cells.rows.push_back(std::move(row));
+            table.places.push_back({.across = {place, place}});
+        }
+        return table;
+    };
+    return grid;
 }
 
 } // namespace sparkout

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
+#include "ui/charts/profiles_look.h"
+#include "ui/plot/line_chart.h"
+#include "ui/tables/csv_table.h"
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,6 +40,47 @@ public:
 
 private:
     static QString blankText(const ProfileSeries& series, const Profile& profile, int k);
+};
+
+/// A filtered profile with the chosen circles.
+[[nodiscard]] Profile shownProfile(Profile profile, ReferenceCircles circles,
+                                   std::optional<int> cutoff_upr);
+
+/// The chosen circles; null if none are chosen or none are fitted.
+[[nodiscard]] const RoundnessZone* shownZone(const Profile& profile, ReferenceCircles circles);
+
+/// The circles' line in the legend.
+[[nodiscard]] std::optional<ProfileLine> lineOf(ReferenceCircles circles);
+
+/// The drawn profiles as tables for a spreadsheet.
+class ProfilesTable {
+    Q_DECLARE_TR_FUNCTIONS(ProfilesTable)
+public:
+    /// A row for each angle, a column for each drawn profile with its name: deviations from the
+    /// target radius, unmagnified. A measured profile with other angles has a column for them.
+    static CsvTable across(const ProfileSeries& series, const std::vector<Profile>& drawn,
+                           const QStringList& names, ReferenceCircles circles,
+                           const ProfileLines& hidden);
+    /// A row for each zone or section, from the headstock end on or in the order of the zones.
+    static CsvTable along(const ProfileSeries& series, LengthQuantity quantity,
+                          const ProfileLines& hidden);
+
+private:
+    static QStringList circleNames(ReferenceCircles circles);
+};
+
+/// Amplitudes of profiles over the undulations per revolution: 1 is the eccentricity, 2 an oval. A
+/// cell for each zone or section side by side, blank and profile as bars, with their ProfileLine as
+/// key.
+struct SpectrumCharts {
+    Q_DECLARE_TR_FUNCTIONS(SpectrumCharts)
+public:
+    static constexpr ProfileLine lines[] = {ProfileLine::blank, ProfileLine::profile};
+
+    /// @param isShown whether a line is in the table now
+    [[nodiscard]] static ChartGrid of(const ProfileSeries& series, const std::vector<int>& shown,
+                                      bool isLogarithmic,
+                                      const std::function<bool(ProfileLine)>& isShown);
 };
 
 } // namespace sparkout

@@ -7,15 +7,13 @@
 #include "ui/kit/theme_icon.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/chart_plot.h"
-#include "ui/plot/cursor_strip.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_text.h"
-#include "ui/views/profiles/spectrum_charts.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -3,7 +3,7 @@
 
 #include "ui/charts/profiles_look.h"
 #include "ui/plot/plot_view.h"
-#include "ui/views/profiles/measured_section.h"
+#include "ui/views/profiles/profiles_plot.h"
 
 #include <optional>
 #include <vector>
@@ -21,7 +21,6 @@ namespace sparkout {
 
 class ChartPlot;
 class LongitudinalPlot;
-class ProfilesPlot;
 struct ChartGrid;
 
 /// The view "Zone profiles": cross-sections with magnified deviations above, the part along its

@@ -1,17 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/sweep/sweep_entries.h"
 #include "ui/plot/line_chart.h"
-#include "ui/views/sweep/sweep_scale.h"
-#include "ui/views/sweep/sweep_text.h"
+#include "ui/plot/plot_style.h"
+#include "ui/session/studies.h"
+#include "ui/text/shown_scale.h"
 
 #include <QCoreApplication>
+#include <QString>
 
+#include <cmath>
 #include <functional>
 #include <optional>
+#include <qcustomplot.h>
+#include <string>
 #include <vector>
 
 namespace sparkout {
+
+/// Texts of the sweep view about inputs, quantities and points.
+class SweepText {
+    Q_DECLARE_TR_FUNCTIONS(SweepText)
+public:
+    static QString input(const std::string& path);      ///< "Wheel › Dullness"
+    static QString inputBrief(const std::string& path); ///< "Dullness", "Stage 2 › Spark-out"
+    static QString inputAxis(const SweptInput& input);  ///< "Stock per side, mm"
+    static QString inputValue(double value, const SweptInput& input); ///< "0.15 mm"
+
+    static QString name(const SweepQuantity& quantity);  ///< "Radial runout"
+    static QString where(const SweepQuantity& quantity); ///< "RZ1", "whole part"
+    static QString entry(const SweepResult& sweep,
+                         const SweepEntry& entry); ///< "Radial runout, RZ1"
+    static QString axis(const SweepResult& sweep, const SweepEntry& entry, bool margins);
+    static QString column(const SweepQuantity& quantity); ///< with name, place and unit
+    static QString status(const SweepPoint& point);       ///< "refused", "does not reach size"
+
+    static QString progress(qint64 done, qint64 points, double left_s);
+    static QString run(const SweepResult& sweep); ///< number of points, and their results
+    /// The inputs of a point: "Dullness 0.02, Dwell at the entry 0.3 s".
+    static QString inputs(const SweepResult& sweep, std::size_t point);
+    /// The values of the entry at a point, its time and whether it is fit.
+    static QString point(const SweepResult& sweep, std::size_t point, const SweepEntry& entry);
+
+private:
+    static QString verdict(const SweepResult& sweep, const SweepPoint& point);
+};
+
+/// The position of a value on an axis with equal steps or equal ratios: the axes themselves stay
+/// linear, since QCustomPlot's colour maps require that.
+struct SweepScale {
+    bool ratios = false;
+    ShownScale shown = {}; ///< from the value to the displayed number
+
+    [[nodiscard]] double at(double value) const { return ratios ? std::log10(value) : value; }
+    [[nodiscard]] double valueAt(double place) const {
+        return ratios ? std::pow(10.0, place) : place;
+    }
+};
+
+/// Ticks at round values of such an axis.
+class SweepTicker : public NumberTicker {
+public:
+    explicit SweepTicker(SweepScale scale) : m_scale(scale) {}
+
+protected:
+    QVector<double> createTickVector(double step, const QCPRange& range) override;
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
+
+private:
+    SweepScale m_scale;
+};
 
 /// The content of the curves or the map of a sweep: a result over the varied inputs, and the marked
 /// points.

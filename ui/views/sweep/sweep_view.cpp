@@ -10,14 +10,11 @@
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/chart_plot.h"
-#include "ui/plot/legend_strip.h"
-#include "ui/plot/run_bar.h"
+#include "ui/plot/legend.h"
 #include "ui/text/names.h"
-#include "ui/views/sweep/phase_bar.h"
 #include "ui/views/sweep/phase_chart.h"
-#include "ui/views/sweep/sweep_axis_box.h"
-#include "ui/views/sweep/sweep_curves.h"
-#include "ui/views/sweep/sweep_map.h"
+#include "ui/views/sweep/sweep_bars.h"
+#include "ui/views/sweep/sweep_charts.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/study_view.h"
-#include "ui/views/sweep/phase_outcome.h"
+#include "ui/plot/plot_view.h"
+#include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_shown.h"
 
 #include <array>

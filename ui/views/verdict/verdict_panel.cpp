@@ -3,9 +3,7 @@
 
 #include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
-#include "ui/charts/shop_table.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/charts/verdict_why.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/kit/font_size.h"
@@ -15,11 +13,7 @@
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/views/verdict/form_section.h"
-#include "ui/views/verdict/narrow_table.h"
-#include "ui/views/verdict/remedy_section.h"
-#include "ui/views/verdict/verdict_shop.h"
-#include "ui/views/verdict/verdict_text.h"
+#include "ui/views/verdict/verdict_sections.h"
 
 #include <QEvent>
 #include <QGuiApplication>

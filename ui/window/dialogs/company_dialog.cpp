@@ -3,8 +3,7 @@
 
 #include "core/files/safe_file.h"
 #include "ui/form/struct_form.h"
-#include "ui/kit/answer_buttons.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/report/card/logo.h"

@@ -4,7 +4,8 @@
 #include "core/setup/setup_run.h"
 #include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/charts/verdict_table.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/part/part_drawing.h"
@@ -13,7 +14,6 @@
 #include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
-#include "ui/views/verdict/verdict_text.h"
 
 #include <QDir>
 #include <QFile>

@@ -2,7 +2,7 @@
 #include "ui/window/dialogs/handout_dialog.h"
 
 #include "core/project/cycle.h"
-#include "ui/kit/answer_buttons.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/cycle_cursor.h"

@@ -2,8 +2,7 @@
 #include "ui/window/dialogs/title_page_dialog.h"
 
 #include "ui/form/struct_form.h"
-#include "ui/kit/answer_buttons.h"
-#include "ui/kit/copyable_label.h"
+#include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/settings.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/course/institution.h"
+#include "ui/report/course/paper_writer.h"
 
 #include <QDialog>
 

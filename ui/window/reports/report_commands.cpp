@@ -7,7 +7,7 @@
 #include "core/study/batch_edits.h"
 #include "ui/report/course/worksheet.h"
 #include "ui/report/documents/batch_wait.h"
-#include "ui/report/documents/passport_measured.h"
+#include "ui/report/documents/passport.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/text/names.h"

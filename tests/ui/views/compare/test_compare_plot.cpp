@@ -2,7 +2,7 @@
 // The plot of the view "Compare": its curves are those of the runs, read and zoomed.
 #include "tests/registry.h"
 #include "tests/ui/views/compare/compare_bench.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/text/language.h"
 

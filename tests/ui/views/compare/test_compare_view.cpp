@@ -8,7 +8,6 @@
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"
 #include "ui/charts/light_icon.h"
-#include "ui/charts/runs_model.h"
 #include "ui/charts/verdict_table.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/notice_bar.h"
@@ -16,6 +15,7 @@
 #include "ui/text/example_texts.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/language.h"
+#include "ui/views/compare/runs_panel.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>

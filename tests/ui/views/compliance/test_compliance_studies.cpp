@@ -14,8 +14,6 @@
 #include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
-#include "ui/views/compliance/coupling_curves.h"
-#include "ui/views/compliance/gauge_curves.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>

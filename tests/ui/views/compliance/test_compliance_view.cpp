@@ -3,12 +3,11 @@
 #include "core/format/project_file.h"
 #include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/project_io.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
-#include "ui/views/compliance/shaft_scene.h"
 
 #include "tests/registry.h"
 

@@ -10,7 +10,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/constraints/constraints_bench.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"

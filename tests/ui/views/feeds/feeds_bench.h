@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/plot/feed_text.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
 

@@ -4,8 +4,8 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
-#include "ui/plot/hair_line.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/text/language.h"
 #include "ui/views/feeds/feeds_note.h"
 

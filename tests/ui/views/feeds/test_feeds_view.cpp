@@ -3,7 +3,7 @@
 // What the feeds view draws: its curves, bands and columns, in every state and language.
 #include "tests/registry.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
-#include "ui/plot/band_layer.h"
+#include "ui/plot/painted_layer.h"
 
 #include <QComboBox>
 #include <QLabel>

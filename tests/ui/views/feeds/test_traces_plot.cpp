@@ -7,7 +7,7 @@
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/kit/font_size.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"

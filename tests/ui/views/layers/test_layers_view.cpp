@@ -3,7 +3,7 @@
 // turns.
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/views/layers/layers_plot.h"

@@ -5,7 +5,6 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/views/layers/layers_surface.h"
-#include "ui/views/layers/surface_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 #include "ui/dialogs/value_model.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/text/names.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 #include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"

@@ -10,7 +10,6 @@
 #include "core/study/outcome.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_plot.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/session/document.h"

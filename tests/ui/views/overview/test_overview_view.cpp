@@ -13,7 +13,7 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
 #include "ui/text/example_texts.h"

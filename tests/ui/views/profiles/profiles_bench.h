@@ -4,10 +4,10 @@
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/plot/band_layer.h"
-#include "ui/plot/legend_strip.h"
+#include "ui/plot/legend.h"
+#include "ui/plot/painted_layer.h"
 #include "ui/views/profiles/longitudinal_plot.h"
-#include "ui/views/profiles/profiles_layers.h"
+#include "ui/views/profiles/profile_cell.h"
 #include "ui/views/profiles/profiles_plot.h"
 #include "ui/views/profiles/profiles_view.h"
 

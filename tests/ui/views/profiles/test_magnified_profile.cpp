@@ -3,7 +3,7 @@
 #include "core/process/profile.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
-#include "ui/charts/magnified_profile.h"
+#include "ui/charts/profiles_look.h"
 
 #include <algorithm>
 #include <numbers>

@@ -9,7 +9,7 @@
 #include "ui/plot/chart_plot.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/text/names.h"
-#include "ui/views/profiles/measured_section.h"
+#include "ui/views/profiles/profiles_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -10,8 +10,8 @@
 #include "ui/plot/chart_plot.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
-#include "ui/views/sweep/phase_bar.h"
 #include "ui/views/sweep/phase_chart.h"
+#include "ui/views/sweep/sweep_bars.h"
 #include "ui/views/sweep/sweep_view.h"
 
 #include <QComboBox>

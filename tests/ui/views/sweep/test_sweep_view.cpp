@@ -16,7 +16,7 @@
 #include "ui/plot/plot_tools.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
-#include "ui/views/sweep/contour_lines.h"
+#include "ui/views/sweep/sweep_charts.h"
 #include "ui/views/sweep/sweep_shown.h"
 #include "ui/views/sweep/sweep_view.h"
 

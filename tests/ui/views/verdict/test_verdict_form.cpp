@@ -11,8 +11,7 @@
 #include "ui/charts/result_tables.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/text/names.h"
-#include "ui/views/verdict/form_section.h"
-#include "ui/views/verdict/narrow_table.h"
+#include "ui/views/verdict/verdict_sections.h"
 
 #include <QApplication>
 

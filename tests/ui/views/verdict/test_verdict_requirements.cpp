@@ -12,7 +12,6 @@
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/verdict_table.h"
-#include "ui/charts/verdict_why.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"

@@ -7,8 +7,8 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
-#include "ui/text/output_text.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/field_text.h"
+#include "ui/text/number_text.h"
 
 #include <QApplication>
 

@@ -6,9 +6,8 @@
 #include "core/project/part.h"
 #include "core/study/outcome.h"
 #include "ui/dialogs/value_model.h"
-#include "ui/views/verdict/narrow_table.h"
 #include "ui/views/verdict/verdict_panel.h"
-#include "ui/views/verdict/verdict_shop.h"
+#include "ui/views/verdict/verdict_sections.h"
 
 #include <QIcon>
 #include <QLabel>
