@@ -17055,6 +17055,14 @@ target, µm</source>
             <translation>Выполнено, близко к пределу: {name}, {share} %</translation>
         </message>
         <message>
+            <source>Fit for every stock; batch run in part</source>
+            <translation>Годен для всех припусков; партия рассчитана не полностью</translation>
+        </message>
+        <message>
+            <source>Fit for every stock; batch not run</source>
+            <translation>Годен для всех припусков; партия не рассчитана</translation>
+        </message>
+        <message>
             <source>Fit for the batch: rejected {bad}</source>
             <translation>Годен для партии: брак {bad}</translation>
         </message>

@@ -145,6 +145,10 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
         return filled(SPARKOUT_NOOP("Judgement", "Met, close to the limit: {name}, {share} %"),
                       {{"name", requirement(judgement.worst->kind)},
                        {"share", percent(std::max(judgement.worst->relativeMargin, 0.0))}});
+    case JudgedState::batchNotRun:
+        return translated(judgement.batch
+                              ? SPARKOUT_NOOP("Judgement", "Fit for every stock; batch run in part")
+                              : SPARKOUT_NOOP("Judgement", "Fit for every stock; batch not run"));
     case JudgedState::batchHolds:
         return filled(SPARKOUT_NOOP("Judgement", "Fit for the batch: rejected {bad}"),
                       {{"bad", bad(*judgement.batch)}});

@@ -84,7 +84,7 @@ void addUndecided(std::vector<Undecided>& all, const Undecided& one) {
     }
 }
 
-JudgedState stateOf(const Judgement& of, bool nominalFails) {
+JudgedState stateOf(const Judgement& of, bool nominalFails, bool hasBatch) {
     if (of.status == RunStatus::refused || of.status == RunStatus::stopped) {
         return JudgedState::notComputed;
     }
@@ -103,9 +103,12 @@ JudgedState stateOf(const Judgement& of, bool nominalFails) {
     if ((of.worst && isClose(*of.worst)) || (of.batch && of.batch->lowPpk)) {
         return JudgedState::close;
     }
-    return of.batch && of.batch->holds() ? JudgedState::batchHolds
-           : of.stocks                   ? JudgedState::stocksHold
-                                         : JudgedState::nominal;
+    if (of.batch && of.batch->holds()) {
+        return JudgedState::batchHolds;
+    }
+    return !of.stocks ? JudgedState::nominal
+           : hasBatch ? JudgedState::batchNotRun
+                      : JudgedState::stocksHold;
 }
 
 } // namespace
@@ -116,8 +119,9 @@ const char* reasonKey(UndecidedReason reason) {
 }
 
 const char* stateKey(JudgedState state) {
-    constexpr std::array keys{"not_computed", "fails", "stocks_fail", "batch_fails", "undecided",
-                              "close",        "batch", "every_stock", "nominal"};
+    constexpr std::array keys{"not_computed", "fails",  "stocks_fail",   "batch_fails",
+                              "undecided",    "close",  "batch_not_run", "batch",
+                              "every_stock",  "nominal"};
     return keys[static_cast<std::size_t>(state)];
 }
 
@@ -201,7 +205,15 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
                      {*judgement.stocks->failsIfEven, UndecidedReason::machineNotKnown,
                       "/machine/form/lobes"});
     }
-    judgement.state = stateOf(judgement, fails);
+    const bool hasBatch = result.project.batch || judgement.batch;
+    judgement.state = stateOf(judgement, fails, hasBatch);
+    return judgement;
+}
+
+Judgement judgedWith(Judgement judgement, const JudgedBatch& batch) {
+    const bool fails = judgement.state == JudgedState::fails;
+    judgement.batch = batch;
+    judgement.state = stateOf(judgement, fails, true);
     return judgement;
 }
 

@@ -93,9 +93,9 @@ enum class JudgedState {
     batchFails,  ///< more parts of the batch are rejected than allowed
     undecided,   ///< all requirements are met except those that cannot be checked
     close,       ///< all requirements are met, with little margin or a low P_pk of the batch
+    batchNotRun, ///< the cycle is fit for every stock; its batch was not run, or only in part
     batchHolds,
-    stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch, or it
-                ///< was not run
+    stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch
     nominal     ///< the part that was run is good; other parts are not known
 };
 /// Returns the key of a state in files: "stocks_fail".
@@ -121,8 +121,9 @@ struct Judgement {
     /// Whether the state is that of the stocks or of the batch, not only of the part that was run.
     [[nodiscard]] bool isOfMoreParts() const {
         using enum JudgedState;
-        return state == stocksFail || state == batchFails || state == batchHolds
-               || state == stocksHold || (state == close && batch && batch->lowPpk);
+        return state == stocksFail || state == batchFails || state == batchNotRun
+               || state == batchHolds || state == stocksHold
+               || (state == close && batch && batch->lowPpk);
     }
 };
 
@@ -131,5 +132,8 @@ struct Judgement {
                               const std::vector<ConstraintResult>& constraints,
                               std::optional<JudgedStocks> stocks = {},
                               std::optional<JudgedBatch> batch = {});
+
+/// Returns the judgement of a cycle together with its batch, which was run later.
+[[nodiscard]] Judgement judgedWith(Judgement judgement, const JudgedBatch& batch);
 
 } // namespace sparkout

@@ -48,6 +48,12 @@ bool isHard(const Project& project) {
     return project.material->hardness_hrc.value_or(hard_hrc) >= hard_hrc;
 }
 
+/// What an answer must be fit for.
+OptimisationScenarios usualScenarios(const Project& project) {
+    return project.batch && checkBatch(project).empty() ? OptimisationScenarios::corners
+                                                        : OptimisationScenarios::stocks;
+}
+
 /// The feeds of a stage that a machine can be set to.
 class FeedSteps {
 public:
@@ -118,9 +124,7 @@ public:
         search.stages = {2};
         search.stock_step_mm = step_mm;
         search.non_increasing = true;
-        search.scenarios = m_project.batch && checkBatch(m_project).empty()
-                               ? OptimisationScenarios::corners
-                               : OptimisationScenarios::stocks;
+        search.scenarios = usualScenarios(m_project);
         putFeeds(search);
         putStocks(search);
         search.unfed_steps = sparkOuts();
@@ -275,7 +279,9 @@ Project usualSearch(Project project) {
             return with;
         }
     }
-    return withOfferedSearch(std::move(project));
+    Project offered = withOfferedSearch(std::move(project));
+    offered.optimisation->scenarios = usualScenarios(offered);
+    return offered;
 }
 
 } // namespace sparkout

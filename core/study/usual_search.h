@@ -23,7 +23,7 @@ namespace sparkout {
 ///   revolutions, or two and three double strokes.
 ///
 /// Stages that take stock have the usual overlap and steps, as with withPracticalLimits(). The
-/// project must be valid; where such a grid has no cycle the search is that of withOfferedSearch().
+/// project must be valid; where such a grid has no cycle the grid is that of withOfferedSearch().
 [[nodiscard]] Project usualSearch(Project project);
 
 } // namespace sparkout

@@ -482,6 +482,8 @@ private slots:
         QVERIFY(answer.at("fresh_phases").at("tried") == 0); // none was drawn
         const std::string text = optimize({saved, "--robust"}).out;
         QVERIFY2(has(text, "The cycle is fit for every stock of "), text.c_str());
+        QVERIFY(!has(text, "nominal part only"));
+        QVERIFY(has(optimize({saved}).out, " for the nominal part only, proved."));
         QVERIFY(!has(text, "stocks drawn at random"));
     }
 

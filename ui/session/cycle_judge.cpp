@@ -17,15 +17,13 @@ using namespace std::chrono_literals;
 
 /// While one types or drags outcomes follow each other faster.
 constexpr auto quietBefore = 150ms;
-/// Limit on visits for a batch that runs by itself: about a second of one processor.
-constexpr std::int64_t mostVisits = 100'000'000;
-
-bool isQuick(const Outcome& outcome) {
-    const std::int64_t visits = std::max<std::int64_t>(outcome.result.visits, 1);
-    return partsOf(outcome.result.project) <= mostVisits / visits;
-}
 
 } // namespace
+
+bool isBatchQuick(const SimulationResult& result) {
+    constexpr std::int64_t mostVisits = 100'000'000;
+    return partsOf(result.project) <= mostVisits / std::max<std::int64_t>(result.visits, 1);
+}
 
 CycleJudge::CycleJudge(const RunController& runs, Studies& studies, QObject* parent)
     : QObject(parent), m_runs(runs), m_studies(studies) {
@@ -90,7 +88,7 @@ void CycleJudge::judgeNow() {
         ofBatch = judgeBatch(found->result, found->summary);
     }
     m_judged.isBatchComing = m_judged.hasBatch && !(ofBatch && ofBatch->isWhole)
-                             && !m_studies.judged.refusal() && isQuick(outcome);
+                             && !m_studies.judged.refusal() && isBatchQuick(outcome.result);
     m_judged.areStocksComing = m_runs.areStocksComing();
     m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch);
 }

@@ -10,6 +10,10 @@
 
 namespace sparkout {
 
+/// Returns whether the batch of a run is quick enough to be run by itself: about a second of one
+/// processor.
+[[nodiscard]] bool isBatchQuick(const SimulationResult& result);
+
 /// Judgement of a run, with the parts of it that are still being computed.
 struct JudgedRun {
     OutcomePtr outcome; ///< may be null

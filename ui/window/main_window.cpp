@@ -318,6 +318,7 @@ void MainWindow::showWholePart() {
         m_partWindow = new PartWindow(
             m_document, *m_partRuns, [this] { return m_optimise->ticks(); }, this);
         connect(m_partWindow, &PartWindow::surfaceWanted, m_part, &PartCommands::show);
+        connect(&m_partWindow->study(), &PartStudy::surfaceDone, m_partRuns, &PartRuns::takeStudy);
     }
     m_partWindow->show();
     m_partWindow->raise();
@@ -584,6 +585,7 @@ void MainWindow::connectLesson() {
             m_partWindow->hide();
         }
         m_judge->judgeBatches(!m_lesson->isRunning()); // its steps may ask to predict them
+        m_partRuns->judgeBatches(!m_lesson->isRunning());
         m_strip->tellResults(!m_lesson->isCovered()
                              && !m_lesson->hidden().isHidden(Hideable::verdict));
         m_actions->follow(m_document, !m_inputs->refusals().empty());

@@ -58,6 +58,7 @@ struct Known {
     double nominal = 0.5; ///< relative margin of the part that was run
     std::optional<JudgedStocks> stocks = stocksOf(0, 0.5);
     std::optional<JudgedBatch> batch = batchOf(0);
+    bool hasBatch = false; ///< the project has one
     bool asksRoughness = false;
 
     [[nodiscard]] Judgement judged() const {
@@ -65,6 +66,9 @@ struct Known {
         result.status = status;
         if (asksRoughness) {
             result.project.part->tolerance.roughness_ra_um = 1.25;
+        }
+        if (hasBatch) {
+            result.project.batch = Batch{};
         }
         return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch);
     }
@@ -87,6 +91,9 @@ private slots:
         known.stocks = stocksOf(0, 0.5);
         QCOMPARE(known.judged().state, JudgedState::stocksHold);
         QCOMPARE(headline(known), std::string("Fit for every stock"));
+        known.hasBatch = true;
+        QCOMPARE(known.judged().state, JudgedState::batchNotRun);
+        QCOMPARE(headline(known), std::string("Fit for every stock; batch not run"));
         known.batch = batchOf(0);
         QCOMPARE(known.judged().state, JudgedState::batchHolds);
         QCOMPARE(headline(known), std::string("Fit for the batch: rejected 0 of 50 (≤ 7.1 %)"));
@@ -132,9 +139,31 @@ private slots:
     void stoppedBatchFailsButDoesNotHold() {
         Known known;
         known.batch->isWhole = false;
-        QCOMPARE(known.judged().state, JudgedState::stocksHold);
+        QCOMPARE(known.judged().state, JudgedState::batchNotRun);
+        QCOMPARE(headline(known), std::string("Fit for every stock; batch run in part"));
         known.batch->bad = 1;
         QCOMPARE(known.judged().state, JudgedState::batchFails);
+    }
+
+    /// Whatever else is known, the state is that of all parts judged together.
+    void batchThatWasRunLaterIsJudgedAlike() {
+        Known known;
+        known.hasBatch = true;
+        for (const double nominal : {0.5, 0.04, -0.1}) {
+            for (const double failingShare : {0.0, 0.34}) {
+                for (const std::int64_t bad : {0, 17}) {
+                    known.nominal = nominal;
+                    known.stocks = stocksOf(failingShare, failingShare > 0 ? -0.1 : nominal);
+                    known.batch = batchOf(bad);
+                    const Judgement together = known.judged();
+                    known.batch.reset();
+                    const Judgement later = judgedWith(known.judged(), batchOf(bad));
+                    QCOMPARE(later.state, together.state);
+                    QCOMPARE(JudgementWording().headline(later),
+                             JudgementWording().headline(together));
+                }
+            }
+        }
     }
 
     void cornersHaveNoInterval() {

@@ -180,6 +180,20 @@ private slots:
         QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::stocks);
     }
 
+    // A stock of a micrometre cannot be shared by two stages: the grid is that which is offered.
+    void withoutACycleInItsGridItIsStillForMoreThanTheNominalPart() {
+        Project p = journal();
+        p.cycle->stages = {p.cycle->stages.front()};
+        p.part->stock_mm = p.cycle->stages.front().stock_mm = 0.001;
+        QVERIFY(usualSearch(p).optimisation->adaptive);
+        QCOMPARE(scenariosOf(usualSearch(p)), checkBatch(p).empty()
+                                                  ? OptimisationScenarios::corners
+                                                  : OptimisationScenarios::stocks);
+        p.batch.reset();
+        QVERIFY(usualSearch(p).optimisation->adaptive);
+        QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::stocks);
+    }
+
     void everyExampleHasOne() {
         for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
                                  "slender-shaft", "through-bore", "wheel-dull"}) {

@@ -66,6 +66,23 @@ private slots:
         QCOMPARE(batch.bad, wanted.statistics.bad);
     }
 
+    /// One that takes longer is left to its view; until then the cycle is not plainly fit.
+    void slowBatchKeepsTheCycleFromPlainGreen() {
+        Bench bench;
+        Project project = fixtures::plungeProject(3);
+        project.part->tolerance.radial_runout_um.reset();
+        project.part->upper_deviation_um = 900;
+        project.part->lower_deviation_um = -900;
+        project = withUsualBatch(project);
+        project.batch->parts = 1'000'000;
+        bench.run(project);
+        QTRY_VERIFY(!bench.judge.judged().areStocksComing);
+        const JudgedRun& judged = bench.judge.judged();
+        QVERIFY(judged.hasBatch && !judged.isBatchComing && !isBatchQuick(judged.outcome->result));
+        QVERIFY(judged.judgement.stocks && judged.judgement.stocks->holds);
+        QCOMPARE(judged.judgement.state, JudgedState::batchNotRun);
+    }
+
     /// An edit drops what was known of the inputs before.
     void batchOfOtherInputsIsNotTold() {
         Bench bench;

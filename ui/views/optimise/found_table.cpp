@@ -3,6 +3,7 @@
 
 #include "core/optimisation/limit.h"
 #include "core/project/optimisation.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/views/optimise/optimise_text.h"
@@ -223,6 +224,13 @@ QString proofOf(const SearchOutcome& outcome) {
                             : FoundTable::tr("none is quicker, proved: %1").arg(size);
 }
 
+/// What an answer is good for that was searched for the nominal part, in the words of the verdict.
+QString nominalBasis() {
+    Judgement nominal;
+    nominal.state = JudgedState::nominal;
+    return Names::inSentence(JudgementText::headline(nominal));
+}
+
 QStringList wearBasis(const FoundCycle& best) {
     if (!best.held) {
         return {FoundTable::tr("how the wheel wears is not given")};
@@ -347,6 +355,9 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
                                       .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}});
     }
     QStringList basis{proofOf(outcome)};
+    if (!outcome.robust) {
+        basis << nominalBasis();
+    }
     if (outcome.wear) {
         basis << wearBasis(best);
     }

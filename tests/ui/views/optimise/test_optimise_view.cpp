@@ -182,6 +182,7 @@ private slots:
         QCOMPARE(desk.answered("best", "margin"), desk.cell(0, FoundColumn::margin));
         QVERIFY2(desk.answered("best", "basis").contains(QStringLiteral("none is quicker, proved")),
                  qPrintable(desk.answered("best", "basis")));
+        QVERIFY(desk.answered("best", "basis").contains(QStringLiteral("nominal part only")));
         QCOMPARE(desk.answered("yours", "time"), text(desk.view->before_s().value()));
         QCOMPARE(desk.answered("limit", "time"), text(desk.view->search()->limit.time_s));
         QVERIFY(!desk.told().contains(OptimiseText::time(engine.best->time_s))); // only there
@@ -577,6 +578,7 @@ private slots:
         const ValueTable third = answerTable(outcome, {});
         QCOMPARE(cellOf(third, "best", "stocks"), QStringLiteral("1.10"));
         QVERIFY(cellOf(third, "best", "basis").contains(QStringLiteral("cycle no. 3 tried")));
+        QVERIFY(!cellOf(third, "best", "basis").contains(QStringLiteral("nominal part only")));
         QVERIFY(cellOf(third, "best", "batch").isEmpty()); // no batch is searched
         found.decided = PhaseCases{{0.149, 0.151}, 8};
         found.freshParts = {.tried = 500, .ppk = 1.234};
