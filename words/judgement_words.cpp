@@ -109,12 +109,13 @@ std::string JudgementWording::withPpk(const char* text, const Interval& ppk) con
     return filled(text, {{"low", number(ppk.low, decimals)}, {"high", number(ppk.high, decimals)}});
 }
 
-std::string JudgementWording::names(const std::vector<Undecided>& undecided) const {
+std::string JudgementWording::exceptions(const std::vector<Undecided>& undecided) const {
     std::string names;
     for (const Undecided& each : undecided) {
         names += (names.empty() ? "" : ", ") + requirement(each.kind);
     }
-    return names;
+    return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
+                  {{"names", names}});
 }
 
 std::string JudgementWording::headline(const Judgement& judgement) const {
@@ -133,9 +134,7 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
     case JudgedState::batchFails:
         return filled(SPARKOUT_NOOP("Judgement", "Rejects in the batch: {bad}"),
                       {{"bad", bad(*judgement.batch)}});
-    case JudgedState::undecided:
-        return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
-                      {{"names", names(judgement.notDecided)}});
+    case JudgedState::undecided: return exceptions(judgement.notDecided);
     case JudgedState::close:
         if (judgement.batch && judgement.batch->lowPpk) {
             return withPpk(

@@ -108,7 +108,20 @@ JudgedState stateOf(const Judgement& of, bool nominalFails) {
                                          : JudgedState::nominal;
 }
 
+constexpr Output<Undecided> undecidedRows[] = {
+    {{.key = "name", .hint = "of the requirement"},
+     [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
+    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
+     [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
+    {{.key = "input", .hint = "JSON pointer of the input that decides it"},
+     [](const Undecided& u) { return u.path; }},
+};
+
 } // namespace
+
+std::span<const Output<Undecided>> undecidedOutputs() {
+    return undecidedRows;
+}
 
 const char* reasonKey(UndecidedReason reason) {
     constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};

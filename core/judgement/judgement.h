@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct Undecided {
     UndecidedReason reason;
     std::string path; ///< JSON pointer of the input that would decide it
 };
+[[nodiscard]] std::span<const Output<Undecided>> undecidedOutputs();
 
 /// Returns the requirements of a project that cannot be decided, in the order of the kinds. A
 /// requirement that fails in any case is decided and not among them.
