@@ -17,8 +17,8 @@ using nlohmann::ordered_json;
 
 constexpr Output<Judgement> judgementRows[] = {
     {{.key = "state",
-      .hint = "the first that applies: not_computed, fails, stocks_fail, batch_fails, undecided, "
-              "close, batch, every_stock, nominal"},
+      .hint = "the first that applies: not_computed, fails, stocks_fail, batch_fails, "
+              "measured_differ, undecided, close, batch, every_stock, nominal"},
      [](const Judgement& j) { return std::string(stateKey(j.state)); }},
     {{.key = "headline", .hint = "the same in words"},
      [](const Judgement& j) { return JudgementWording().headline(j); }},

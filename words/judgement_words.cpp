@@ -104,6 +104,23 @@ std::string JudgementWording::bad(const JudgedBatch& batch) const {
                    {"high", percent(batch.interval->high)}});
 }
 
+std::string JudgementWording::differing(const MeasuredBias& bias) const {
+    ConstraintResult place{bias.kind};
+    place.zone = bias.zone;
+    place.section = bias.section;
+    const std::string name = bias.kind == ConstraintKind::diameterMin
+                                 ? translated(SPARKOUT_NOOP("Judgement", "diameter"))
+                                 : requirement(bias.kind);
+    return filled(
+        SPARKOUT_NOOP("Judgement", "Met, but measured parts differ from the prediction: "
+                                   "{name}, {where}, by {value} {unit}"),
+        {{"name", name},
+         {"where", where(place)},
+         {"value", (bias.bias_um > 0 ? "+" : "")
+                       + number(bias.bias_um, decimalsOf(bias.bias_um, significantDigits))},
+         {"unit", unit("µm")}});
+}
+
 std::string JudgementWording::withPpk(const char* text, const Interval& ppk) const {
     constexpr int decimals = 2;
     return filled(text, {{"low", number(ppk.low, decimals)}, {"high", number(ppk.high, decimals)}});
@@ -134,6 +151,7 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
     case JudgedState::batchFails:
         return filled(SPARKOUT_NOOP("Judgement", "Rejects in the batch: {bad}"),
                       {{"bad", bad(*judgement.batch)}});
+    case JudgedState::measuredDiffer: return differing(*judgement.measured);
     case JudgedState::undecided: return exceptions(judgement.notDecided);
     case JudgedState::close:
         if (judgement.batch && judgement.batch->lowPpk) {

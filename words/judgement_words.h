@@ -51,6 +51,7 @@ private:
     [[nodiscard]] std::string failure(RunStatus status,
                                       const std::optional<ConstraintResult>& worst) const;
     [[nodiscard]] std::string bad(const JudgedBatch& batch) const;
+    [[nodiscard]] std::string differing(const MeasuredBias& bias) const;
     [[nodiscard]] std::string withPpk(const char* text, const Interval& ppk) const;
 };
 

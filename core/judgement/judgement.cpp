@@ -97,6 +97,9 @@ JudgedState stateOf(const Judgement& of, bool nominalFails) {
     if (of.batch && of.batch->fails()) {
         return JudgedState::batchFails;
     }
+    if (of.measured) {
+        return JudgedState::measuredDiffer;
+    }
     if (!of.notDecided.empty()) {
         return JudgedState::undecided;
     }
@@ -129,8 +132,9 @@ const char* reasonKey(UndecidedReason reason) {
 }
 
 const char* stateKey(JudgedState state) {
-    constexpr std::array keys{"not_computed", "fails", "stocks_fail", "batch_fails", "undecided",
-                              "close",        "batch", "every_stock", "nominal"};
+    constexpr std::array keys{"not_computed",    "fails",     "stocks_fail", "batch_fails",
+                              "measured_differ", "undecided", "close",       "batch",
+                              "every_stock",     "nominal"};
     return keys[static_cast<std::size_t>(state)];
 }
 
@@ -195,8 +199,10 @@ JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
 }
 
 Judgement judge(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
-                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch) {
+                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch,
+                std::optional<MeasuredBias> measured) {
     Judgement judgement;
+    judgement.measured = measured;
     judgement.status = result.status;
     keepWorst(judgement.worst, constraints);
     const bool fails = judgement.worst && !judgement.worst->holds;

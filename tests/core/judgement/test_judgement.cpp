@@ -58,6 +58,7 @@ struct Known {
     double nominal = 0.5; ///< relative margin of the part that was run
     std::optional<JudgedStocks> stocks = stocksOf(0, 0.5);
     std::optional<JudgedBatch> batch = batchOf(0);
+    std::optional<MeasuredBias> measured{};
     bool asksRoughness = false;
 
     [[nodiscard]] Judgement judged() const {
@@ -66,7 +67,7 @@ struct Known {
         if (asksRoughness) {
             result.project.part->tolerance.roughness_ra_um = 1.25;
         }
-        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch);
+        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch, measured);
     }
 };
 
@@ -102,6 +103,10 @@ private slots:
         known.asksRoughness = true;
         QCOMPARE(known.judged().state, JudgedState::undecided);
         QCOMPARE(headline(known), std::string("Met, except roughness Ra: not decided"));
+        known.measured = MeasuredBias{ConstraintKind::diameterMin, Zone::section, 1, -8.2};
+        QCOMPARE(known.judged().state, JudgedState::measuredDiffer);
+        QCOMPARE(headline(known), std::string("Met, but measured parts differ from the prediction: "
+                                              "diameter, section 2, by -8.20 µm"));
         known.batch = batchOf(17);
         QCOMPARE(known.judged().state, JudgedState::batchFails);
         QCOMPARE(headline(known), std::string("Rejects in the batch: 17 of 50 (21…49 %)"));
