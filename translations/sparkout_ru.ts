@@ -17019,6 +17019,14 @@ target, µm</source>
             <translation>{bad} из {parts} ({low}…{high} %)</translation>
         </message>
         <message>
+            <source>diameter</source>
+            <translation>диаметр</translation>
+        </message>
+        <message>
+            <source>Met, but measured parts differ from the prediction: {name}, {where}, by {value} {unit}</source>
+            <translation>Выполнено, но измеренные детали расходятся с прогнозом: {name}, {where}, на {value} {unit}</translation>
+        </message>
+        <message>
             <source>Not computed: stopped</source>
             <translation>Не рассчитано: остановлено</translation>
         </message>

@@ -97,6 +97,9 @@ JudgedState stateOf(const Judgement& of, bool nominalFails, bool hasBatch) {
     if (of.batch && of.batch->fails()) {
         return JudgedState::batchFails;
     }
+    if (of.measured) {
+        return JudgedState::measuredDiffer;
+    }
     if (!of.notDecided.empty()) {
         return JudgedState::undecided;
     }
@@ -111,7 +114,20 @@ JudgedState stateOf(const Judgement& of, bool nominalFails, bool hasBatch) {
                       : JudgedState::stocksHold;
 }
 
+constexpr Output<Undecided> undecidedRows[] = {
+    {{.key = "name", .hint = "of the requirement"},
+     [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
+    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
+     [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
+    {{.key = "input", .hint = "JSON pointer of the input that decides it"},
+     [](const Undecided& u) { return u.path; }},
+};
+
 } // namespace
+
+std::span<const Output<Undecided>> undecidedOutputs() {
+    return undecidedRows;
+}
 
 const char* reasonKey(UndecidedReason reason) {
     constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};
@@ -119,9 +135,9 @@ const char* reasonKey(UndecidedReason reason) {
 }
 
 const char* stateKey(JudgedState state) {
-    constexpr std::array keys{"not_computed", "fails",  "stocks_fail",   "batch_fails",
-                              "undecided",    "close",  "batch_not_run", "batch",
-                              "every_stock",  "nominal"};
+    constexpr std::array keys{"not_computed",    "fails",     "stocks_fail", "batch_fails",
+                              "measured_differ", "undecided", "close",       "batch_not_run",
+                              "batch",           "every_stock", "nominal"};
     return keys[static_cast<std::size_t>(state)];
 }
 
@@ -186,8 +202,10 @@ JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
 }
 
 Judgement judge(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
-                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch) {
+                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch,
+                std::optional<MeasuredBias> measured) {
     Judgement judgement;
+    judgement.measured = measured;
     judgement.status = result.status;
     keepWorst(judgement.worst, constraints);
     const bool fails = judgement.worst && !judgement.worst->holds;

@@ -18,6 +18,10 @@ namespace sparkout {
 ///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.
 ///   Where the machine has a range of the continuous infeed, stages may instead have one that feeds
 ///   as much in a double stroke.
+/// * Where a roughness is required that is only estimated, as a range, nothing else keeps finishing
+///   slow: then its feeds are within these limits also where those of the cycle are beyond them,
+///   and its S_ax is at most 0.2, 0.25 or 0.35 B·n by the required roughness, as in a starting
+///   cycle.
 /// * Finishing takes at least 15 µm and three quarters of its current stock, at most twice that; a
 ///   spark-out takes at most 6 µm and lasts 3 s, its current time or half as long again, in whole
 ///   revolutions, or two and three double strokes.

@@ -82,10 +82,11 @@ QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
 QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
     const bool isDashed = state == JudgedState::nominal || state == JudgedState::batchNotRun;
     if (!isDashed && state != JudgedState::notComputed) {
-        return lightPixmap(isFailure(state)                  ? Light::fails
-                           : state == JudgedState::undecided ? Light::undecided
-                           : state == JudgedState::close     ? Light::close
-                                                             : Light::holds,
+        const bool isOpen = state == JudgedState::undecided || state == JudgedState::measuredDiffer;
+        return lightPixmap(isFailure(state)              ? Light::fails
+                           : isOpen                      ? Light::undecided
+                           : state == JudgedState::close ? Light::close
+                                                         : Light::holds,
                            size, ratio, grey);
     }
     const QPalette palette = QGuiApplication::palette();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/cycle_judge.h"
 
+#include "core/adequacy/adequacy.h"
 #include "core/project/batch.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ CycleJudge::CycleJudge(const RunController& runs, Studies& studies, QObject* par
     m_calm.setInterval(quietBefore);
     connect(&m_calm, &QTimer::timeout, this, &CycleJudge::runBatch);
     connect(&m_runs, &RunController::stocksDecided, this, &CycleJudge::judgeAgain);
-    for (StudyOf<BatchOutcome>* study : {&m_studies.batch, &m_studies.judged}) {
+    for (StudyOf<BatchOutcome>* study :
+         {&m_studies.batch, &m_studies.judged, &m_studies.prediction}) {
         connect(&study->job(), &Job::answered, this, &CycleJudge::judgeAgain);
     }
 }
@@ -90,7 +92,18 @@ void CycleJudge::judgeNow() {
     m_judged.isBatchComing = m_judged.hasBatch && !(ofBatch && ofBatch->isWhole)
                              && !m_studies.judged.refusal() && isBatchQuick(outcome.result);
     m_judged.areStocksComing = m_runs.areStocksComing();
-    m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch);
+    m_judged.judgement =
+        judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch, measuredBias());
+}
+
+std::optional<MeasuredBias> CycleJudge::measuredBias() const {
+    const Project& project = m_judged.outcome->result.project;
+    const StudyOf<BatchOutcome>& study = m_studies.prediction;
+    const bool isKnown = m_judgesBatches && project.measured && study.result()
+                         && study.result()->result.status == BatchStatus::completed
+                         && study.isOf(predictingProject(project));
+    return isKnown ? greatestBias(project, judgeAdequacy(project, study.result()->result))
+                   : std::nullopt;
 }
 
 BatchOutcomePtr CycleJudge::batch() const {

@@ -59,6 +59,7 @@ struct Known {
     std::optional<JudgedStocks> stocks = stocksOf(0, 0.5);
     std::optional<JudgedBatch> batch = batchOf(0);
     bool hasBatch = false; ///< the project has one
+    std::optional<MeasuredBias> measured{};
     bool asksRoughness = false;
 
     [[nodiscard]] Judgement judged() const {
@@ -70,7 +71,8 @@ struct Known {
         if (hasBatch) {
             result.project.batch = Batch{};
         }
-        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch);
+        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch,
+                     measured);
     }
 };
 
@@ -109,6 +111,10 @@ private slots:
         known.asksRoughness = true;
         QCOMPARE(known.judged().state, JudgedState::undecided);
         QCOMPARE(headline(known), std::string("Met, except roughness Ra: not decided"));
+        known.measured = MeasuredBias{ConstraintKind::diameterMin, Zone::section, 1, -8.2};
+        QCOMPARE(known.judged().state, JudgedState::measuredDiffer);
+        QCOMPARE(headline(known), std::string("Met, but measured parts differ from the prediction: "
+                                              "diameter, section 2, by -8.20 µm"));
         known.batch = batchOf(17);
         QCOMPARE(known.judged().state, JudgedState::batchFails);
         QCOMPARE(headline(known), std::string("Rejects in the batch: 17 of 50 (21…49 %)"));

@@ -165,7 +165,7 @@ Table CycleCard::requirements(const Outcome& outcome) {
 }
 
 Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QDate& date,
-                        const BatchOutcomePtr& batch) {
+                        const BatchOutcomePtr& batch, const BatchOutcomePtr& predicting) {
     const Project& project = outcome->result.project;
     Report report = begunReport(tr("Cycle card of a grinding operation"), project, file, date);
     auto& blocks = report.blocks;
@@ -177,7 +177,7 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
     heading(tr("Settings by stage"));
     blocks.push_back(OperationSetup::stages(*outcome));
     heading(tr("Verdict"));
-    for (Block& block : verdict(*outcome, judgementOf(*outcome, batch.get()))) {
+    for (Block& block : verdict(*outcome, judgementOf(*outcome, batch.get(), predicting.get()))) {
         blocks.push_back(std::move(block));
     }
     heading(tr("Predicted accuracy"));

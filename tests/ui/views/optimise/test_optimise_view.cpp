@@ -695,6 +695,22 @@ private slots:
         QVERIFY(!says("not known") && says("Limited by: "));
     }
 
+    /// The words above the plots begin with what the verdict excepts.
+    void whatIsNotDecidedIsNamedFirst() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
+        QVERIFY(!OptimiseText::notes(outcome).contains(QStringLiteral("not decided")));
+        outcome.remarks.notDecided = {
+            {ConstraintKind::roughness, UndecidedReason::notCalibrated, {}}};
+        const QString text = OptimiseText::notes(outcome);
+        QVERIFY2(text.startsWith(QStringLiteral("Met, except roughness Ra: not decided. ")),
+                 qPrintable(text));
+    }
+
     void anAnswerWithoutAMarginNamesItsRequirementAndTheInputThatAsksForOne() {
         SearchOutcome outcome;
         outcome.project = outcome.searched = fixtures::searchedShaft();

@@ -37,6 +37,7 @@ JudgedRun judgedAs(const OutcomePtr& outcome, JudgedState state) {
     if (state != JudgedState::batchNotRun) {
         judgement.batch = JudgedBatch{50, bad, 1, clopperPearson(bad, 50, 0.95), 0, true};
     }
+    judgement.measured = MeasuredBias{ConstraintKind::diameterMin, Zone::section, 1, 8.2};
     judgement.notDecided = {
         {ConstraintKind::roughness, UndecidedReason::notCalibrated, "/wheel/roughness_factor"}};
     judged.hasBatch = true;
@@ -57,6 +58,8 @@ private slots:
         row(JudgedState::fails, "Not met: minimum diameter by 10.70 µm");
         row(JudgedState::stocksFail, "Unfit for 34 % of stocks: minimum diameter by 10.70 µm");
         row(JudgedState::batchFails, "Rejects in the batch: 17 of 50 (21…49 %)");
+        row(JudgedState::measuredDiffer, "Met, but measured parts differ from the prediction: "
+                                         "diameter, Section 2, by +8.20 µm");
         row(JudgedState::undecided, "Met, except roughness Ra: not decided");
         row(JudgedState::close, "Met, close to the limit: minimum diameter, 4.0 %");
         row(JudgedState::batchNotRun, "Fit for every stock; batch not run");
@@ -86,6 +89,7 @@ private slots:
         QVERIFY(image(JudgedState::fails) == image(JudgedState::batchFails));
         QVERIFY(image(JudgedState::fails) == image(JudgedState::stocksFail));
         QVERIFY(image(JudgedState::undecided) == image(JudgedState::close));
+        QVERIFY(image(JudgedState::undecided) == image(JudgedState::measuredDiffer));
         QVERIFY(image(JudgedState::batchHolds) == image(JudgedState::stocksHold));
         QVERIFY(image(JudgedState::batchNotRun) == image(JudgedState::nominal));
         const std::vector<JudgedState> marks{JudgedState::notComputed, JudgedState::fails,
