@@ -12156,6 +12156,10 @@ With another name both versions stay as they are.</source>
             <source>Keep the values of this page as an entry of your own catalogue</source>
             <translation>Сохранить значения этой страницы в своём каталоге</translation>
         </message>
+        <message>
+            <source>&amp;Keep</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CatalogueDialog</name>
@@ -12314,6 +12318,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Nothing was changed in your catalogue: %1</source>
             <translation>В вашем каталоге ничего не изменено: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
         </message>
     </context>
     <context>
@@ -12786,29 +12794,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Difference of the places</source>
             <translation>Разность положений</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::EntryNameDialog</name>
-        <message>
-            <source>&amp;Name in your catalogue:</source>
-            <translation>&amp;Имя в вашем каталоге:</translation>
-        </message>
-        <message>
-            <source>Name in your catalogue</source>
-            <translation>Имя в вашем каталоге</translation>
-        </message>
-        <message>
-            <source>Action</source>
-            <translation>Действие</translation>
-        </message>
-        <message>
-            <source>&amp;Keep</source>
-            <translation>&amp;Сохранить</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -18824,20 +18809,27 @@ good</source>
     <context>
         <name>sparkout::NameDialog</name>
         <message>
-            <source>Rename the surface</source>
-            <translation>Переименование поверхности</translation>
-        </message>
-        <message>
             <source>Name</source>
             <translation>Название</translation>
         </message>
         <message>
-            <source>&amp;Rename</source>
-            <translation>&amp;Переименовать</translation>
-        </message>
-        <message>
             <source>&amp;Cancel</source>
             <translation>Отмена</translation>
+        </message>
+        <message>
+            <source>Action</source>
+            <translation>Действие</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartCommands</name>
+        <message>
+            <source>Rename the surface</source>
+            <translation>Переименование поверхности</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
         </message>
         <message>
             <source>Each surface has a name of its own.</source>
