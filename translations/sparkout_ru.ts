@@ -13774,6 +13774,43 @@ parts, ≤ %</source>
             <source>Basis</source>
             <translation>Основание</translation>
         </message>
+        <message>
+            <source>proved</source>
+            <translation>доказано</translation>
+        </message>
+        <message>
+            <source>a heuristic</source>
+            <translation>эвристика</translation>
+        </message>
+        <message>
+            <source>not proved</source>
+            <translation>не доказано</translation>
+        </message>
+        <message>
+            <source>%1 random stocks</source>
+            <translation>%1 случ. припусков</translation>
+        </message>
+        <message>
+            <source>every stock and corner</source>
+            <translation>все сочетания</translation>
+        </message>
+        <message>
+            <source>every stock</source>
+            <translation>все припуски</translation>
+        </message>
+        <message>
+            <source>parts good</source>
+            <translation>детали годны</translation>
+        </message>
+        <message>
+            <source>The tool tip of a cell has the whole text</source>
+            <translation>Весь текст — в подсказке ячейки</translation>
+        </message>
+        <message>
+            <source>%1, too low</source>
+            <comment>Ppk</comment>
+            <translation>%1, мало</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::HandoutDialog</name>
