@@ -198,6 +198,10 @@
             <source>Not decided: %1.</source>
             <translation>Не определено: %1.</translation>
         </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
     </context>
     <context>
         <name>CardForm</name>
