@@ -198,6 +198,10 @@
             <source>Not decided: %1.</source>
             <translation>Не определено: %1.</translation>
         </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
     </context>
     <context>
         <name>CardForm</name>
@@ -12156,6 +12160,10 @@ With another name both versions stay as they are.</source>
             <source>Keep the values of this page as an entry of your own catalogue</source>
             <translation>Сохранить значения этой страницы в своём каталоге</translation>
         </message>
+        <message>
+            <source>&amp;Keep</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CatalogueDialog</name>
@@ -12314,6 +12322,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Nothing was changed in your catalogue: %1</source>
             <translation>В вашем каталоге ничего не изменено: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
         </message>
     </context>
     <context>
@@ -12786,29 +12798,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Difference of the places</source>
             <translation>Разность положений</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::EntryNameDialog</name>
-        <message>
-            <source>&amp;Name in your catalogue:</source>
-            <translation>&amp;Имя в вашем каталоге:</translation>
-        </message>
-        <message>
-            <source>Name in your catalogue</source>
-            <translation>Имя в вашем каталоге</translation>
-        </message>
-        <message>
-            <source>Action</source>
-            <translation>Действие</translation>
-        </message>
-        <message>
-            <source>&amp;Keep</source>
-            <translation>&amp;Сохранить</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -13788,6 +13777,43 @@ parts, ≤ %</source>
         <message>
             <source>Basis</source>
             <translation>Основание</translation>
+        </message>
+        <message>
+            <source>proved</source>
+            <translation>доказано</translation>
+        </message>
+        <message>
+            <source>a heuristic</source>
+            <translation>эвристика</translation>
+        </message>
+        <message>
+            <source>not proved</source>
+            <translation>не доказано</translation>
+        </message>
+        <message>
+            <source>%1 random stocks</source>
+            <translation>%1 случ. припусков</translation>
+        </message>
+        <message>
+            <source>every stock and corner</source>
+            <translation>все сочетания</translation>
+        </message>
+        <message>
+            <source>every stock</source>
+            <translation>все припуски</translation>
+        </message>
+        <message>
+            <source>parts good</source>
+            <translation>детали годны</translation>
+        </message>
+        <message>
+            <source>The tool tip of a cell has the whole text</source>
+            <translation>Весь текст — в подсказке ячейки</translation>
+        </message>
+        <message>
+            <source>%1, too low</source>
+            <comment>Ppk</comment>
+            <translation>%1, мало</translation>
         </message>
     </context>
     <context>
@@ -18840,20 +18866,27 @@ good</source>
     <context>
         <name>sparkout::NameDialog</name>
         <message>
-            <source>Rename the surface</source>
-            <translation>Переименование поверхности</translation>
-        </message>
-        <message>
             <source>Name</source>
             <translation>Название</translation>
         </message>
         <message>
-            <source>&amp;Rename</source>
-            <translation>&amp;Переименовать</translation>
-        </message>
-        <message>
             <source>&amp;Cancel</source>
             <translation>Отмена</translation>
+        </message>
+        <message>
+            <source>Action</source>
+            <translation>Действие</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartCommands</name>
+        <message>
+            <source>Rename the surface</source>
+            <translation>Переименование поверхности</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
         </message>
         <message>
             <source>Each surface has a name of its own.</source>

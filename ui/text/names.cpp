@@ -37,14 +37,6 @@ QString withoutZeros(QString text) {
     return text;
 }
 
-QString times(double ratio) {
-    int digits = 2;
-    while (digits < 6 && ratio != 1 && std::abs(ratio - 1) < std::pow(10, 1 - digits)) {
-        ++digits; // adds digits until a value beyond or short of the end differs from it
-    }
-    return withoutZeros(Names::significant(ratio, digits));
-}
-
 } // namespace
 
 QString Names::zone(Zone zone, int section) {
@@ -192,8 +184,8 @@ QString Names::limit(const ConstraintResult& c) {
 
 QString Names::margin(const ConstraintResult& c) {
     if (isRange(c.kind)) {
-        return c.limit > 0 && c.value > 0
-                   ? times(c.isLeast ? c.value / c.limit : c.limit / c.value) + u'×'
+        const std::optional<double> ratio = ratioInRange(c);
+        return ratio     ? withoutZeros(significant(*ratio, digitsOfRatio(*ratio))) + u'×'
                : c.holds ? tr("in range")
                          : tr("out of range");
     }

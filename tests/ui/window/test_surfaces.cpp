@@ -33,6 +33,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QListView>
 #include <QListWidget>
 #include <QSignalSpy>
@@ -244,9 +245,20 @@ private slots:
         QCOMPARE(desk.tabs().currentIndex(), 1);
         {
             DialogAnswers rename({QStringLiteral("Enter")});
-            rename.seen = [](QDialog& dialog) {
-                dialog.findChild<QLineEdit*>(QStringLiteral("surfaceName"))
-                    ->setText(QStringLiteral("  Cone <b>  "));
+            rename.seen = [&names](QDialog& dialog) {
+                auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("newName"));
+                const auto* accept = dialog.findChild<QPushButton*>(QStringLiteral("acceptName"));
+                for (const QString& refused : {QString(), QStringLiteral("  "), names[1]}) {
+                    name->setText(refused);
+                    QVERIFY2(!accept->isEnabled(), qPrintable(refused));
+                }
+                QVERIFY(
+                    std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
+                        return label->text()
+                               == QStringLiteral("Each surface has a name of its own.");
+                    }));
+                name->setText(QStringLiteral("  Cone <b>  "));
+                QVERIFY(accept->isEnabled());
             };
             desk.press("renameSurface");
             QVERIFY2(rename.fault().isEmpty(), qPrintable(rename.fault()));

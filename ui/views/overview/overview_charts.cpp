@@ -79,10 +79,6 @@ std::vector<std::size_t> stepsTaken(const Outcome& outcome) {
     return steps;
 }
 
-double shareOrNone(const std::optional<double>& value) {
-    return value ? 100 * *value : noNumber;
-}
-
 } // namespace
 
 QString OverviewCharts::title(OverviewChart chart) {
@@ -429,8 +425,14 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     for (const RunBars& run : runs) {
         chart.categories << run.name;
         chart.series[0].values.push_back(run.time_min.value_or(noNumber) * units::secondsPerMinute);
-        chart.series[1].values.push_back(shareOrNone(run.margin));
+        const std::optional<ConstraintResult>& least = run.least;
+        chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
+        chart.secondNames << (least ? QStringLiteral("%1, %2").arg(
+                                  Names::inSentence(Names::constraint(least->kind)),
+                                  Names::within(Names::where(*least)))
+                                    : QString());
     }
+    chart.secondOf = tr("Requirement");
     chart.fitTimeUnit();
     const int shown = static_cast<int>(runs.size()) - 1;
     QStringList remarks{tr("Margin: that of the requirement nearest to its limit of those that are "

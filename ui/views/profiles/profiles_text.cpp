@@ -390,10 +390,11 @@ ChartGrid SpectrumCharts::of(const ProfileSeries& series, const std::vector<int>
         const Profile& profile = series.profiles[static_cast<std::size_t>(index)];
         spectra.push_back(spectrumOf(profile.radii_mm, directions));
         LineChart chart;
-        chart.heading = chart.briefHeading = Names::zone(profile.zone, profile.section);
+        const QString name = Names::zone(profile.zone, profile.section);
+        chart.headings << name;
         chart.series = {barsOf(blank, ProfileLine::blank, -barShare / 2),
                         barsOf(spectra.back(), ProfileLine::profile, barShare / 2)};
-        chart.placeText = [name = chart.heading, blank, left = spectra.back()](double place) {
+        chart.placeText = [name, blank, left = spectra.back()](double place) {
             const auto n = std::lround(place);
             if (n < 1 || n >= std::ssize(left)) {
                 return QString();
@@ -407,7 +408,7 @@ ChartGrid SpectrumCharts::of(const ProfileSeries& series, const std::vector<int>
                                 "%4 µm"))
                 .arg(name, QString::number(n), um(left), um(blank));
         };
-        names << chart.heading;
+        names << name;
         grid.cells.push_back(std::move(chart));
     }
     double highest = 0; // one scale for all
