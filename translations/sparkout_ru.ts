@@ -7923,6 +7923,13 @@ With another name both versions stay as they are.</source>
         </message>
     </context>
     <context>
+        <name>LawsNotice</name>
+        <message>
+            <source>Distributions of the batch follow this edit: %1.</source>
+            <translation>Распределения партии сдвинуты вслед за правкой: %1.</translation>
+        </message>
+    </context>
+    <context>
         <name>Search</name>
         <message>
             <source>more than 9·10¹⁸ cycles</source>

@@ -323,9 +323,13 @@ class Studies(unittest.TestCase):
             sparkout.check_work("{}")
 
     def test_remedies_are_those_of_the_command_line_and_hold(self):
-        file = EXAMPLES / "wheel-dull.sparkout"
-        found = sparkout.remedies(sparkout.Project.read(file))
-        stated = cli("remedies", file, "--json")
+        project = sparkout.Project.read(EXAMPLES / "wheel-dull.sparkout").with_values({
+            "/machine/limits/work_speed_rpm": [160, 160, 5]}) # a stage more is among the three
+        found = sparkout.remedies(project)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "dull.sparkout"
+            project.write(file)
+            stated = cli("remedies", file, "--json")
         self.assertEqual(found.to_dict(), stated)
         self.assertIsNone(found.conflict)
         for member in ("goal", "status", "settings", "tried", "found", "runs"):

@@ -10,6 +10,7 @@
 #include "core/project/wheel.h"
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
+#include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "core/study/usual_search.h"
 #include "ui/text/example_texts.h"
@@ -91,9 +92,9 @@ public:
     [[nodiscard]] const EditText& editText() const { return m_text; }
     [[nodiscard]] const QString& mergeKey() const { return m_mergeKey; }
     /// The surface before the edit; null if it was added by it, or later.
-    [[nodiscard]] const Project* before(int surface) const {
+    [[nodiscard]] const SurfaceState* before(int surface) const {
         const auto index = m_before.indexOf(surface);
-        return index ? &m_before.surfaces[*index]->project : nullptr;
+        return index ? m_before.surfaces[*index].get() : nullptr;
     }
 
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
@@ -124,7 +125,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&m_history, &QUndoStack::cleanChanged, this, &Document::historyChanged);
 }
 
-void Document::edit(Project changed, EditText text, const QString& mergeKey) {
+void Document::edit(Project changed, EditText text, const QString& mergeKey, Laws laws) {
     if (sameProject(changed, m_project)) {
         return;
     }
@@ -137,12 +138,17 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
             withMeasuredRa(with(changed, openInputs())).inFront().project.wheel->roughness_factor;
     }
     std::vector<std::string> open = openIn(changed);
-    if (isStarting(changed, open)) {
+    const bool starts = isStarting(changed, open);
+    const bool makesBatch = starts && hasBatchAsMade(changed);
+    const bool movesLaws = laws == Laws::move && !m_gate;
+    m_movedLaws = movesLaws && !makesBatch ? moveLawsOf(changed, m_present.inFront(), mergeKey)
+                                           : std::vector<FactorKind>();
+    if (starts) {
         if (hasPlainShaft(changed) && surfaceCount() == 1) {
             changed = withPlainShaft(std::move(changed));
         }
         changed = withStartingCycle(std::move(changed));
-        if (hasBatchAsMade(changed)) {
+        if (makesBatch) {
             changed = withUsualBatch(std::move(changed));
         }
         if (openInputs().empty() || !changed.optimisation) { // an existing search stays
@@ -150,8 +156,32 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
         }
         m_started = changed;
     }
-    if (push(with(std::move(changed), std::move(open)), text, mergeKey)) {
+    SetupState after = with(std::move(changed), std::move(open));
+    if (movesLaws) {
+        moveLawsOfOthers(after, mergeKey);
+    }
+    if (push(std::move(after), text, mergeKey)) {
         emit edited(before);
+    }
+}
+
+/// Moves the laws of a surface whose inputs an edit changes; none while numbers are to be entered.
+std::vector<FactorKind> Document::moveLawsOf(Project& changed, const SurfaceState& present,
+                                             const QString& mergeKey) const {
+    const SurfaceState* const joined = beforeJoined(present.id, mergeKey);
+    const SurfaceState& base = joined ? *joined : present;
+    return base.open.empty() ? moveLaws(changed, present.project, base.project)
+                             : std::vector<FactorKind>();
+}
+
+/// Moves the laws of the other surfaces, whose shared inputs an edit of the current one changes.
+void Document::moveLawsOfOthers(SetupState& after, const QString& mergeKey) const {
+    for (std::size_t i = 0; i < after.surfaces.size(); ++i) {
+        if (i != after.present && after.surfaces[i] != m_present.surfaces[i]) {
+            auto other = std::make_shared<SurfaceState>(*after.surfaces[i]);
+            (void)moveLawsOf(other->project, *m_present.surfaces[i], mergeKey);
+            after.surfaces[i] = std::move(other);
+        }
     }
 }
 
@@ -261,6 +291,7 @@ void Document::withdraw(const std::string& path, EditText text) {
     std::vector<std::string> open = openInputs();
     open.push_back(path);
     const Project before = m_present.inFront().project;
+    m_movedLaws.clear();
     if (push(with(std::move(project), std::move(open)), text, QString::fromStdString(path))) {
         emit edited(before);
     }
@@ -271,10 +302,15 @@ QString Document::roundKey(const QString& mergeKey) const {
 }
 
 const Project& Document::beforeEditsOf(const QString& mergeKey) const {
+    const SurfaceState* before = beforeJoined(m_present.inFront().id, mergeKey);
+    return before ? before->project : m_project;
+}
+
+/// A surface before the edits with this key that a further edit would join; null if it joins none.
+const SurfaceState* Document::beforeJoined(int surface, const QString& mergeKey) const {
     const Edit* last = editAt(m_history.index() - 1);
     const bool joins = last && !mergeKey.isEmpty() && last->mergeKey() == roundKey(mergeKey);
-    const Project* before = joins ? last->before(m_present.inFront().id) : nullptr;
-    return before ? *before : m_project;
+    return joins ? last->before(surface) : nullptr;
 }
 
 void Document::endMerge() {
@@ -349,9 +385,9 @@ const Project* Document::lastWith(Operation operation) const {
         return &m_project;
     }
     for (int i = m_history.index() - 1; i >= 0; --i) {
-        const Project* before = editAt(i)->before(m_present.inFront().id);
-        if (before && before->operation == operation) {
-            return before;
+        const SurfaceState* before = editAt(i)->before(m_present.inFront().id);
+        if (before && before->project.operation == operation) {
+            return &before->project;
         }
     }
     return nullptr;

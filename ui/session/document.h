@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/given_factors.h"
 #include "ui/session/project_io.h"
 #include "ui/session/setup_state.h"
 
@@ -73,10 +74,14 @@ public:
     /// empty and the document is modified(), the edits are no longer known.
     [[nodiscard]] QStringList unsavedEdits() const;
 
+    /// Whether the laws of batches move along with the inputs that an edit changes, moveLaws().
+    enum class Laws { move, stay };
     /// Replaces the current project, and in the other surfaces the inputs that all share.
     /// Successive edits with the same non-empty key become one step of the history, until
-    /// endMerge().
-    void edit(Project changed, EditText text, const QString& mergeKey = {});
+    /// endMerge(). No law moves under a gate, or with a number that is entered for the first time.
+    void edit(Project changed, EditText text, const QString& mergeKey = {}, Laws laws = Laws::move);
+    /// Returns the factors of the current surface whose laws the last edit() moved.
+    [[nodiscard]] const std::vector<FactorKind>& movedLaws() const { return m_movedLaws; }
     /// As edit(), for the whole set-up: its surfaces, their names and order, its times and wear.
     void editSetup(SetupState changed, EditText text, const QString& mergeKey = {});
     /// Returns the number of an added surface.
@@ -164,6 +169,10 @@ private:
     [[nodiscard]] bool isStarting(const Project& changed,
                                   const std::vector<std::string>& open) const;
     [[nodiscard]] bool hasBatchAsMade(const Project& changed) const;
+    [[nodiscard]] std::vector<FactorKind> moveLawsOf(Project& changed, const SurfaceState& present,
+                                                     const QString& mergeKey) const;
+    void moveLawsOfOthers(SetupState& after, const QString& mergeKey) const;
+    [[nodiscard]] const SurfaceState* beforeJoined(int surface, const QString& mergeKey) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
     /// Makes an edit; returns false if the gate refuses it.
     bool push(SetupState after, EditText text, const QString& mergeKey);
@@ -181,7 +190,8 @@ private:
     QByteArray m_diskHash;
     bool m_readOnly = false;
     std::vector<std::pair<std::string, std::string>>
-        m_exampleNames; ///< titles and surfaces as shipped
+        m_exampleNames;                  ///< titles and surfaces as shipped
+    std::vector<FactorKind> m_movedLaws; ///< by the last edit
     std::function<bool(const SetupState& after)> m_gate;
     bool m_isKeptElsewhere = false;
     QUndoStack m_history;

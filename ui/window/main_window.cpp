@@ -42,10 +42,10 @@
 #include "ui/window/dialogs/company_dialog.h"
 #include "ui/window/dialogs/export_dialog.h"
 #include "ui/window/dialogs/title_page_dialog.h"
+#include "ui/window/edit_notices.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
 #include "ui/window/lesson_wiring.h"
-#include "ui/window/operation_notice.h"
 #include "ui/window/part_commands.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"
@@ -496,8 +496,9 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
     connect(&m_document, &Document::edited, this, [this](const Project& before) {
         showOperationNotice(m_files->notices(), before, m_document.project());
+        showLawsNotice(m_files->notices(), m_document.movedLaws());
     });
-    const auto drop = [this] { dropOperationNotice(m_files->notices()); };
+    const auto drop = [this] { dropEditNotices(m_files->notices()); };
     connect(&m_document, &Document::projectReplaced, this, drop);
     connect(&m_document, &Document::projectReplaced, this, [this] {
         for (View* view : views()) {
