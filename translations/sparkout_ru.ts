@@ -5844,6 +5844,34 @@ With another name both versions stay as they are.</source>
             <translation>Длина детали, которую принимает станок.</translation>
         </message>
         <message>
+            <source>Maximum wheel diameter</source>
+            <translation>Наибольший диаметр круга</translation>
+        </message>
+        <message>
+            <source>Diameter of a new wheel that the machine takes.</source>
+            <translation>Диаметр нового круга, который принимает станок.</translation>
+        </message>
+        <message>
+            <source>Range of wheel widths</source>
+            <translation>Диапазон высоты круга</translation>
+        </message>
+        <message>
+            <source>Minimum and maximum width that the wheel&apos;s flanges hold.</source>
+            <translation>Наименьшая и наибольшая высота круга, которую зажимают фланцы.</translation>
+        </message>
+        <message>
+            <source>Diameter of the wheel seat</source>
+            <translation>Посадочный диаметр круга</translation>
+        </message>
+        <message>
+            <source>Bore of a wheel that fits; it is compared with the one of the marking, 305 in 600×63×305.</source>
+            <translation>Отверстие круга, который подходит; сравнивается с отверстием в маркировке: 305 в 600×63×305.</translation>
+        </message>
+        <message>
+            <source>any bore fits</source>
+            <translation>подходит любое отверстие</translation>
+        </message>
+        <message>
             <source>Gap begins at</source>
             <translation>Паз начинается под углом</translation>
         </message>
@@ -7278,6 +7306,10 @@ With another name both versions stay as they are.</source>
             <translation>{value} — подходит несколько: {limit}</translation>
         </message>
         <message>
+            <source>{value} does not take this part; machines of the catalogue that do: {limit}</source>
+            <translation>{value} не принимает эту деталь; принимают станки каталога: {limit}</translation>
+        </message>
+        <message>
             <source>no law given; expected one of {limit}</source>
             <translation>закон не задан; ожидается один из: {limit}</translation>
         </message>
@@ -7316,6 +7348,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>{value} does not fit into the hole; allowed: {limit}</source>
             <translation>{value} не входит в отверстие; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} does not fit the machine; allowed: {limit}</source>
+            <translation>{value} не подходит станку; допускается: {limit}</translation>
         </message>
         <message>
             <source>no compliance is given and none can be computed; needed: {limit}</source>
@@ -16444,6 +16480,18 @@ target, µm</source>
         <message>
             <source>A starting cycle: it follows the drawing, material, wheel and machine until any other input is edited.</source>
             <translation>Исходный цикл: меняется вместе с чертежом, материалом, кругом и станком, пока не изменена любая другая исходная величина.</translation>
+        </message>
+        <message>
+            <source>Its rough depth of cut is the usual one, %1.</source>
+            <translation>Черновая глубина резания обычная, %1.</translation>
+        </message>
+        <message>
+            <source>Its rough depth of cut, %1, is the machine&apos;s minimum and more than %2 allows; usual: %3.</source>
+            <translation>Черновая глубина резания, %1, — наименьшая у станка и больше, чем допускает %2; обычная — %3.</translation>
+        </message>
+        <message>
+            <source>Its rough depth of cut, %1, is limited by %2; usual: %3.</source>
+            <translation>Черновую глубину резания, %1, ограничивает %2; обычная — %3.</translation>
         </message>
         <message>
             <source>Edited: the cycle no longer follows the drawing. “%1” makes it anew.</source>

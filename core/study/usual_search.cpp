@@ -13,6 +13,7 @@
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/quality/roughness.h"
+#include "core/starting/starting_cycle.h"
 #include "core/starting/starting_numbers.h"
 #include "core/study/search_edits.h"
 #include "core/units.h"
@@ -36,24 +37,19 @@ struct FeedRange {
     std::vector<double> now{};
 };
 
-/// The value by the required roughness: below 0.8 µm, from 0.8, from 1.6 µm; that of 0.8 where none
-/// is required.
+/// The value by the roughness of the work: below 0.8 µm, from 0.8, from 1.6 µm.
 template <class Value>
 Value byRoughness(const Project& project, const std::array<Value, 3>& values) {
-    constexpr double usual_um = 0.8, coarse_um = 1.6;
-    const double ra_um = project.part->tolerance.roughness_ra_um.value_or(usual_um);
-    return ra_um < usual_um ? values[0] : ra_um < coarse_um ? values[1] : values[2];
+    const double ra_um = workRoughness_um(*project.part);
+    return ra_um < starting::middleRoughness   ? values[0]
+           : ra_um < starting::coarseRoughness ? values[1]
+                                               : values[2];
 }
 
 /// Whether a roughness is required that is only estimated, as a range: then nothing but the limits
 /// of the feeds keeps finishing slow.
 bool isRoughnessOpen(const Project& project) {
     return project.part->tolerance.roughness_ra_um && !isRoughnessCalibrated(project);
-}
-
-bool isHard(const Project& project) {
-    constexpr double hard_hrc = 45;
-    return project.material->hardness_hrc.value_or(hard_hrc) >= hard_hrc;
 }
 
 /// What an answer must be fit for.
@@ -169,7 +165,7 @@ private:
     [[nodiscard]] FeedRange plungeRough() const {
         constexpr double ofBore = 0.5;
         const Part& part = *m_project.part;
-        const bool hard = isHard(m_project);
+        const bool hard = isHardened(*m_project.material);
         const double removal_mm2_s =
             (hard ? 2.0 : 3.0) * (part.surface == Surface::internal ? ofBore : 1);
         const double most = std::min(removal_mm2_s * units::secondsPerMinute

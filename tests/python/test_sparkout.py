@@ -47,8 +47,10 @@ class Starting(unittest.TestCase):
             sparkout.starting("35k6", operation="turning", **size)
         with self.assertRaisesRegex(sparkout.ProjectError, "/machine/name.*3М151"):
             sparkout.starting("35k6", machine="no such", **size)
+        with self.assertRaisesRegex(sparkout.ProjectError, "(?s)/part/diameter_mm.*3М174"):
+            sparkout.starting("300h8", machine="3М151", **size)
         with self.assertRaisesRegex(sparkout.ProjectError, "/part/length_mm"):
-            sparkout.starting("40h6", length_mm=80, stock_mm=0.15, shoulder="both")
+            sparkout.starting("40h6", length_mm=90, stock_mm=0.15, shoulder="both")
 
 
 class Evaluations(unittest.TestCase):

@@ -144,17 +144,22 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey, Law
     m_movedLaws = movesLaws && !makesBatch ? moveLawsOf(changed, m_present.inFront(), mergeKey)
                                            : std::vector<FactorKind>();
     if (starts) {
+        if (surfaceCount() == 1 && hasWheelAsMade(changed)) {
+            changed = withUsualWheel(std::move(changed));
+        }
         if (hasPlainShaft(changed) && surfaceCount() == 1) {
             changed = withPlainShaft(std::move(changed));
         }
-        changed = withStartingCycle(std::move(changed));
+        StartingCycle start = startingCycleOf(changed).value_or(StartingCycle{.project = changed});
+        changed = std::move(start.project);
         if (makesBatch) {
             changed = withUsualBatch(std::move(changed));
         }
         if (openInputs().empty() || !changed.optimisation) { // an existing search stays
             changed = usualSearch(std::move(changed));
         }
-        m_started = changed;
+        start.project = changed;
+        m_started = std::move(start);
     }
     SetupState after = with(std::move(changed), std::move(open));
     if (movesLaws) {
@@ -200,6 +205,18 @@ bool Document::isStarting(const Project& changed, const std::vector<std::string>
            || path.starts_with("/wheel/") || isOtherMachine;
 }
 
+/// Whether its wheel is the one chosen for the project, which is replaced with the cycle.
+bool Document::hasWheelAsMade(const Project& changed) const {
+    const auto hasWheelOf = [&changed](const Project& made) {
+        return firstDifference(made, changed,
+                               [](std::string_view path) { return path.starts_with("/wheel"); })
+            .empty();
+    };
+    return hasWheelOf(m_project)
+           && hasWheelOf(openInputs().empty() ? withUsualWheel(m_project)
+                                              : undrawnProject(m_project.operation));
+}
+
 /// Whether its batch is the one created with the project, which is replaced with the cycle.
 bool Document::hasBatchAsMade(const Project& changed) const {
     const auto isOf = [&changed](const Project& made) {
@@ -208,7 +225,7 @@ bool Document::hasBatchAsMade(const Project& changed) const {
             .empty();
     };
     return changed.batch
-           && ((m_started && isOf(*m_started)) || isOf(undrawnProject(changed.operation)));
+           && ((m_started && isOf(m_started->project)) || isOf(undrawnProject(changed.operation)));
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
@@ -264,15 +281,20 @@ std::vector<std::string> Document::openIn(const Project& changed) const {
 }
 
 bool Document::followsDrawing() const {
-    return m_started && openInputs().empty() && sameProject(*m_started, m_project);
+    return m_started && openInputs().empty() && sameProject(m_started->project, m_project);
+}
+
+const StartingCycle* Document::followingCycle() const {
+    return followsDrawing() && m_started->usualDepth_mm > 0 ? &*m_started : nullptr;
 }
 
 bool Document::isOpen(const std::string& path) const {
     return std::ranges::find(openInputs(), path) != openInputs().end();
 }
 
-Issues Document::missingInputs() const {
-    Issues issues;
+Issues Document::newFaults() const {
+    const bool isNew = m_started && m_filePath.isEmpty();
+    Issues issues = isNew && openInputs().empty() ? machineRefusals(m_project) : Issues();
     for (const std::string& path : openInputs()) {
         const Field& field = *findMember(m_project, path).field;
         issues.push_back(

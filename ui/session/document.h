@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/given_factors.h"
+#include "core/starting/starting_cycle.h"
 #include "ui/session/project_io.h"
 #include "ui/session/setup_state.h"
 
@@ -106,6 +107,8 @@ public:
     /// Returns whether the cycle is the one made for the drawing, with no other edits since: it is
     /// made again when the drawing changes.
     [[nodiscard]] bool followsDrawing() const;
+    /// Returns that cycle; null where no cycle follows the drawing, or none can grind the part.
+    [[nodiscard]] const StartingCycle* followingCycle() const;
 
     /// Returns the project as it last was under an operation, as far as undo reaches; null: it
     /// never was.
@@ -125,7 +128,9 @@ public:
     /// with "/surfaces/N".
     [[nodiscard]] std::vector<std::string> allOpenInputs() const;
     [[nodiscard]] bool isOpen(const std::string& path) const;
-    [[nodiscard]] Issues missingInputs() const; ///< a fault for each open input
+    /// Returns a fault for each open input and, of a project whose cycle was made for its drawing
+    /// and that has no file yet, for what the machine does not take.
+    [[nodiscard]] Issues newFaults() const;
     /// Marks a number as still to be entered, as it was before the edits that a further one would
     /// join.
     void withdraw(const std::string& path, EditText text);
@@ -168,6 +173,7 @@ private:
     [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
     [[nodiscard]] bool isStarting(const Project& changed,
                                   const std::vector<std::string>& open) const;
+    [[nodiscard]] bool hasWheelAsMade(const Project& changed) const;
     [[nodiscard]] bool hasBatchAsMade(const Project& changed) const;
     [[nodiscard]] std::vector<FactorKind> moveLawsOf(Project& changed, const SurfaceState& present,
                                                      const QString& mergeKey) const;
@@ -184,8 +190,8 @@ private:
     Project m_project; ///< current project, with its runs
     Project m_begun;   ///< project as started, with the substitutes for open inputs
     /// Project made for the complete drawing: its cycle, and the search about it, follow the
-    /// drawing as long as nothing else is edited.
-    std::optional<Project> m_started;
+    /// drawing as long as nothing else is edited. Without a usual depth it has no starting cycle.
+    std::optional<StartingCycle> m_started;
     QString m_filePath;
     QByteArray m_diskHash;
     bool m_readOnly = false;

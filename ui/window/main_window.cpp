@@ -369,8 +369,8 @@ void MainWindow::connectReports() {
     const auto outcomeOfNow = [this] {
         OutcomePtr outcome = m_outcome;
         if (m_runs.running()) { // it belongs to the previous inputs
-            runAside([&, upTo = m_document.upToPresent(), missing = m_document.missingInputs()] {
-                outcome = m_runs.outcomeOf(upTo, missing);
+            runAside([&, upTo = m_document.upToPresent(), faults = m_document.newFaults()] {
+                outcome = m_runs.outcomeOf(upTo, faults);
             });
         }
         return outcome;
@@ -611,7 +611,7 @@ void MainWindow::connectLesson() {
 /// Runs nothing while a prediction is awaited, so that no result can be seen.
 void MainWindow::requestRun() {
     if (!m_lesson->isCovered()) {
-        m_runs.request(m_document.upToPresent(), m_document.missingInputs());
+        m_runs.request(m_document.upToPresent(), m_document.newFaults());
         return;
     }
     m_runs.stop();
