@@ -1148,8 +1148,8 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>the model does not fit: the residuals exceed the noise, a factor lies outside the searched range, or an input would be refused</source>
-            <translation>модель не подходит: остаётся больше случайного, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
+            <source>the model does not fit: the residuals exceed the noise, a time, lag or drift is left out, a factor lies outside the searched range, or an input would be refused</source>
+            <translation>модель не подходит: остаётся больше случайного, не учтён сдвиг, запаздывание или дрейф, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -1246,6 +1246,10 @@
         <message>
             <source>the project and the recording differ in something other than these parameters</source>
             <translation>проект и запись различаются чем-то кроме этих параметров</translation>
+        </message>
+        <message>
+            <source>readings so far beyond all others come from a sensor at the end of its range: leave them out, or give outliers less weight</source>
+            <translation>показания так далеко от всех остальных даёт датчик на пределе своего диапазона: исключите их или уменьшите вес выбросов</translation>
         </message>
         <message>
             <source>runout of the blank</source>
@@ -19203,6 +19207,15 @@ good</source>
             <translation>Не подходит: %1: в %2 раза больше того, что оставляет шум; случайно — не более чем в %3: %4.</translation>
         </message>
         <message>
+            <source>%1 %2 at %3 s</source>
+            <comment>a reading, its unit, its time</comment>
+            <translation>%1 %2 в момент %3 с</translation>
+        </message>
+        <message>
+            <source>Over range: %1: %2: %3.</source>
+            <translation>Вне диапазона: %1: %2: %3.</translation>
+        </message>
+        <message>
             <source>%1 (stage %2)</source>
             <translation>%1 (ступень %2)</translation>
         </message>
@@ -19434,6 +19447,10 @@ good</source>
         <message>
             <source>These values cannot be applied. %1. %2</source>
             <translation>Эти значения применить нельзя. %1. %2</translation>
+        </message>
+        <message>
+            <source>These values cannot be applied: what was left out distorts them. Fit it too.</source>
+            <translation>Эти значения применить нельзя: их искажает то, что не учтено. Определите и это.</translation>
         </message>
         <message>
             <source>These values cannot be applied: the model does not fit. %1</source>

@@ -316,6 +316,20 @@ class Studies(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "table: line"):
             sparkout.measured(project, table="Diameter, mm\nthirty\n")
 
+    def test_a_recording_that_the_calibration_has_not_used_is_predicted(self):
+        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout")
+        recording = EXAMPLES.parent.parent / "tests/data/trials/62_noise_free_beta1.5.csv"
+        calibrated = sparkout.calibrated(project, fit="alpha,beta,size_offset,time_shift",
+                                         table=recording.read_text(), data="first.csv")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "calibrated.sparkout"
+            calibrated.write(path)
+            found = sparkout.measured(sparkout.Project.read(path))
+            self.assertEqual(found, cli("measured", path, "--json"))
+        row, = found["hold_out"]
+        self.assertEqual((row["trace"], row["quantity"], row["unit"]), (0, "time", "s"))
+        self.assertAlmostEqual(row["measured"], row["predicted"], delta=0.01)
+
     def test_a_lesson_is_checked_as_on_the_command_line(self):
         for name in ("01-force-and-balance", "06-burn"):
             file = EXAMPLES.parent / f"lessons/{name}.sparkout-lesson"

@@ -206,12 +206,10 @@ QString Names::value(const ConstraintResult& c) {
     if (c.mostValue) {
         return estimate(c.value, *c.mostValue);
     }
-    if (isLowerBound(c)) { // what the process alone leaves: never a bare 0.00
-        return marginKnown(c) == MarginKnown::atMost
-                   ? QStringLiteral("≥ ") + amount(c.kind, c.value, false)
-                   : QStringLiteral("–");
-    }
     const Requirement& row = requirementOf(c.kind);
+    if (isLowerBound(c)) {
+        return formAmount(c.value, false, row.digits.shown);
+    }
     return row.isDeviation || row.digits.shown <= 0 ? amount(c.kind, c.value, row.isDeviation)
                                                     : amountFixed(c.value, row.digits.shown);
 }
@@ -233,6 +231,13 @@ QString Names::uncutStrips(const Project& project) {
 
 QString Names::ofMachine(const QString& quantity, bool isKnown) {
     return isKnown ? quantity : tr("%1, machine not known", "the form it prints").arg(quantity);
+}
+
+QString Names::formAmount(double value, bool isKnown, int decimals) {
+    return isKnown ? amountFixed(value, decimals)
+           : value < 0.5 * std::pow(10.0, -decimals)
+               ? QStringLiteral("–")
+               : QStringLiteral("≥ ") + fixed(value, decimals);
 }
 
 QString Names::issue(const Issue& issue) {
