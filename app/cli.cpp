@@ -11,6 +11,7 @@
 #include "app/manual/given.h"
 #include "app/manual/help_text.h"
 #include "app/measured/cli_measured.h"
+#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_run.h"
 #include "core/files/file_system.h"
 #include "core/files/safe_file.h"
@@ -59,31 +60,44 @@ struct JudgedAnswer {
     int status = done;
 };
 
-/// Judges a run for every stock within one infeed and, with `--batch`, for the project's batch.
+BatchResult watchedBatch(const Project& project) {
+    BatchWatch watch(project.batch->parts, false);
+    BatchOptions how;
+    how.stop = watch.stop();
+    how.done = watch.done();
+    return runBatch(project, how);
+}
+
+/// Holds the project's measured parts, if there are any, against a batch that predicts them.
+std::optional<MeasuredBias> biasOfMeasured(const Project& project) {
+    return statisticsOfMeasured(project).empty()
+               ? std::nullopt
+               : greatestBias(project,
+                              judgeAdequacy(project, watchedBatch(predictingProject(project))));
+}
+
+/// Judges a run for every stock within one infeed and, with `--batch`, for the project's batch and
+/// by its measured parts.
 JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const manual::Given& given) {
     const Project& project = run.result.project;
     std::optional<JudgedBatch> batch;
+    std::optional<MeasuredBias> measured;
     int status = done;
     if (given.has("--batch") && project.batch && run.isCompleted()) {
-        BatchResult result;
-        {
-            BatchWatch watch(project.batch->parts, false);
-            BatchOptions how;
-            how.stop = watch.stop();
-            how.done = watch.done();
-            result = runBatch(project, how);
+        const BatchResult result = watchedBatch(project);
+        if (result.status == BatchStatus::refused) {
+            printIssues(name, result.issues);
+            status = refused;
+        } else if (caughtSignal() == 0) {
+            batch = judgeBatch(result, summarise(result));
+            measured = biasOfMeasured(project);
         }
         if (caughtSignal() != 0) {
             return {{}, interrupted + caughtSignal()};
         }
-        if (result.status == BatchStatus::refused) {
-            printIssues(name, result.issues);
-            status = refused;
-        } else {
-            batch = judgeBatch(result, summarise(result));
-        }
     }
-    return {judge(run.result, run.constraints, judgeStocks(run.result), std::move(batch)), status};
+    return {judge(run.result, run.constraints, judgeStocks(run.result), std::move(batch), measured),
+            status};
 }
 
 std::string textOf(const SurfaceRun& run, const Judgement& judgement) {

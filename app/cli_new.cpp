@@ -15,7 +15,10 @@
 #include "core/project/operation.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
+#include "core/units.h"
+#include "words/search_words.h"
 
 #include <algorithm>
 #include <array>
@@ -69,11 +72,12 @@ std::optional<StartingDrawing> drawingIn(const manual::Given& given, int& status
 
 /// Prints the issues of a project that is not written, with the options in the place of its inputs.
 void printRefusal(const std::string& size, Issues issues) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> options{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> options{
         {{"/machine", "--machine"},
          {"/wheel", "--wheel"},
          {"/material", "--material"},
          {"/part/length_mm", "--length"},
+         {"/part/shaft", "--length"},
          {"/part/stock_mm", "--stock"},
          {"/part/tolerance/roughness_ra_um", "--ra"},
          {"/part/diameter_mm", ""}}};
@@ -92,8 +96,8 @@ void printRefusal(const std::string& size, Issues issues) {
     printIssues(size, issues);
 }
 
-/// "0.81 mm/min, 0.1 mm" or "spark-out of 16 revolutions, 0.001 mm".
-std::string stageText(const Project& project, const Stage& stage) {
+/// "0.81 mm/min; stock 0.1 mm; 12 s" or "spark-out of 16 revolutions; stock 0.001 mm; 4 s".
+std::string stageText(const Project& project, const Stage& stage, double time_s) {
     std::string text;
     if (const auto steps = stage.sparkOutSteps()) {
         text = "spark-out of " + std::to_string(*steps)
@@ -104,7 +108,19 @@ std::string stageText(const Project& project, const Stage& stage) {
                     + tableOf<Stage>().find(feed.key)->unit;
         }
     }
-    return text + "; stock " + plainNumber(stage.stock_mm) + " mm";
+    return text + "; stock " + plainNumber(stage.stock_mm) + " mm; " + SearchWording().time(time_s);
+}
+
+/// "the depth of the burnt layer: 6.0 µm instead of the usual 15.0 µm".
+std::string roughText(const StartingCycle& start) {
+    const auto inMicrometres = [](double depth_mm) {
+        return fixed(depth_mm * units::umPerMm, 1) + " µm";
+    };
+    return std::string(roughBoundText(start.bound)) + ": " + inMicrometres(start.roughDepth_mm)
+           + (start.bound == RoughBound::table
+                  ? ""
+                  : " instead of the usual " + inMicrometres(start.usualDepth_mm))
+           + (start.isExceeded ? ", which the machine's lowest feed exceeds" : "");
 }
 
 std::string stocksText(const PhaseDecision& decision) {
@@ -138,12 +154,13 @@ std::string startText(const StartingCycle& start) {
                                 + project.material->grade)
         + labelled("work speed", plainNumber(project.machine->work_speed_rpm) + " rev/min");
     const auto& stages = project.cycle->stages;
+    const SimulationResult result = simulate(project);
     for (std::size_t i = 0; i < stages.size(); ++i) {
-        text += labelled("stage " + std::to_string(i + 1), stageText(project, stages[i]));
+        text += labelled("stage " + std::to_string(i + 1),
+                         stageText(project, stages[i], result.timeByStage_s[i]));
     }
-    text += labelled("rough depth bound by",
-                     std::string(roughBoundText(start.bound))
-                         + (start.isExceeded ? ", which the machine's lowest feed exceeds" : ""));
+    text += labelled("rough depth bound by", roughText(start))
+            + labelled("machining time", SearchWording().time(result.time_s));
     return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
 }
 

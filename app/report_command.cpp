@@ -120,7 +120,7 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
             subject.batch = nullptr; // the report is not about the batch
         }
     }
-    if (report::rowOf(request.kind).takesBatch && report::PassportMeasured::applies(*project)) {
+    if (report::rowOf(request.kind).judgesBatch && report::PassportMeasured::applies(*project)) {
         const Project predicting = predictingProject(*project);
         const bool fits = subject.batch && sameBatch(subject.batch->result.project, predicting);
         subject.predicting = fits ? subject.batch : runWatched(predicting);

@@ -40,6 +40,7 @@ enum class IssueCode {
     zoneTooShort,
     wheelTooNarrow,
     wheelTooLarge,
+    machineMisfit, ///< of part or wheel: beyond what the machine takes
     complianceMissing,
     influenceUnknown,
     sparkOutNotLast,
@@ -70,6 +71,7 @@ enum class IssueCode {
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
     severalFit,    ///< a part of several names of the catalogue
+    otherMachines, ///< those of the catalogue that take a part
     noLaw,         ///< of a factor of a batch
     notAProject,   ///< a text that does not even begin as one
     notAFileName,  ///< in packs

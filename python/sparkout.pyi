@@ -104,7 +104,7 @@ class Judgement:
 
     @property
     def state(self) -> str:
-        """the first that applies: not_computed, fails, stocks_fail, batch_fails, undecided, close, batch, every_stock, nominal"""
+        """the first that applies: not_computed, fails, stocks_fail, batch_fails, measured_differ, undecided, close, batch_not_run, batch, every_stock, nominal"""
     @property
     def headline(self) -> str:
         """the same in words"""

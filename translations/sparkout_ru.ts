@@ -198,6 +198,10 @@
             <source>Not decided: %1.</source>
             <translation>Не определено: %1.</translation>
         </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
     </context>
     <context>
         <name>CardForm</name>
@@ -1144,8 +1148,8 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>the model does not fit: the residuals exceed the noise, a factor lies outside the searched range, or an input would be refused</source>
-            <translation>модель не подходит: остаётся больше случайного, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
+            <source>the model does not fit: the residuals exceed the noise, a time, lag or drift is left out, a factor lies outside the searched range, or an input would be refused</source>
+            <translation>модель не подходит: остаётся больше случайного, не учтён сдвиг, запаздывание или дрейф, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -1242,6 +1246,10 @@
         <message>
             <source>the project and the recording differ in something other than these parameters</source>
             <translation>проект и запись различаются чем-то кроме этих параметров</translation>
+        </message>
+        <message>
+            <source>readings so far beyond all others come from a sensor at the end of its range: leave them out, or give outliers less weight</source>
+            <translation>показания так далеко от всех остальных даёт датчик на пределе своего диапазона: исключите их или уменьшите вес выбросов</translation>
         </message>
         <message>
             <source>runout of the blank</source>
@@ -5840,6 +5848,34 @@ With another name both versions stay as they are.</source>
             <translation>Длина детали, которую принимает станок.</translation>
         </message>
         <message>
+            <source>Maximum wheel diameter</source>
+            <translation>Наибольший диаметр круга</translation>
+        </message>
+        <message>
+            <source>Diameter of a new wheel that the machine takes.</source>
+            <translation>Диаметр нового круга, который принимает станок.</translation>
+        </message>
+        <message>
+            <source>Range of wheel widths</source>
+            <translation>Диапазон высоты круга</translation>
+        </message>
+        <message>
+            <source>Minimum and maximum width that the wheel&apos;s flanges hold.</source>
+            <translation>Наименьшая и наибольшая высота круга, которую зажимают фланцы.</translation>
+        </message>
+        <message>
+            <source>Diameter of the wheel seat</source>
+            <translation>Посадочный диаметр круга</translation>
+        </message>
+        <message>
+            <source>Bore of a wheel that fits; it is compared with the one of the marking, 305 in 600×63×305.</source>
+            <translation>Отверстие круга, который подходит; сравнивается с отверстием в маркировке: 305 в 600×63×305.</translation>
+        </message>
+        <message>
+            <source>any bore fits</source>
+            <translation>подходит любое отверстие</translation>
+        </message>
+        <message>
             <source>Gap begins at</source>
             <translation>Паз начинается под углом</translation>
         </message>
@@ -7274,6 +7310,10 @@ With another name both versions stay as they are.</source>
             <translation>{value} — подходит несколько: {limit}</translation>
         </message>
         <message>
+            <source>{value} does not take this part; machines of the catalogue that do: {limit}</source>
+            <translation>{value} не принимает эту деталь; принимают станки каталога: {limit}</translation>
+        </message>
+        <message>
             <source>no law given; expected one of {limit}</source>
             <translation>закон не задан; ожидается один из: {limit}</translation>
         </message>
@@ -7312,6 +7352,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>{value} does not fit into the hole; allowed: {limit}</source>
             <translation>{value} не входит в отверстие; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} does not fit the machine; allowed: {limit}</source>
+            <translation>{value} не подходит станку; допускается: {limit}</translation>
         </message>
         <message>
             <source>no compliance is given and none can be computed; needed: {limit}</source>
@@ -7916,6 +7960,13 @@ With another name both versions stay as they are.</source>
         <message>
             <source>section by section</source>
             <translation>по сечениям</translation>
+        </message>
+    </context>
+    <context>
+        <name>LawsNotice</name>
+        <message>
+            <source>Distributions of the batch follow this edit: %1.</source>
+            <translation>Распределения партии сдвинуты вслед за правкой: %1.</translation>
         </message>
     </context>
     <context>
@@ -12156,6 +12207,10 @@ With another name both versions stay as they are.</source>
             <source>Keep the values of this page as an entry of your own catalogue</source>
             <translation>Сохранить значения этой страницы в своём каталоге</translation>
         </message>
+        <message>
+            <source>&amp;Keep</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CatalogueDialog</name>
@@ -12314,6 +12369,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Nothing was changed in your catalogue: %1</source>
             <translation>В вашем каталоге ничего не изменено: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
         </message>
     </context>
     <context>
@@ -12786,29 +12845,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Difference of the places</source>
             <translation>Разность положений</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::EntryNameDialog</name>
-        <message>
-            <source>&amp;Name in your catalogue:</source>
-            <translation>&amp;Имя в вашем каталоге:</translation>
-        </message>
-        <message>
-            <source>Name in your catalogue</source>
-            <translation>Имя в вашем каталоге</translation>
-        </message>
-        <message>
-            <source>Action</source>
-            <translation>Действие</translation>
-        </message>
-        <message>
-            <source>&amp;Keep</source>
-            <translation>&amp;Сохранить</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>Отмена</translation>
         </message>
     </context>
     <context>
@@ -13788,6 +13824,43 @@ parts, ≤ %</source>
         <message>
             <source>Basis</source>
             <translation>Основание</translation>
+        </message>
+        <message>
+            <source>proved</source>
+            <translation>доказано</translation>
+        </message>
+        <message>
+            <source>a heuristic</source>
+            <translation>эвристика</translation>
+        </message>
+        <message>
+            <source>not proved</source>
+            <translation>не доказано</translation>
+        </message>
+        <message>
+            <source>%1 random stocks</source>
+            <translation>%1 случ. припусков</translation>
+        </message>
+        <message>
+            <source>every stock and corner</source>
+            <translation>все сочетания</translation>
+        </message>
+        <message>
+            <source>every stock</source>
+            <translation>все припуски</translation>
+        </message>
+        <message>
+            <source>parts good</source>
+            <translation>детали годны</translation>
+        </message>
+        <message>
+            <source>The tool tip of a cell has the whole text</source>
+            <translation>Весь текст — в подсказке ячейки</translation>
+        </message>
+        <message>
+            <source>%1, too low</source>
+            <comment>Ppk</comment>
+            <translation>%1, мало</translation>
         </message>
     </context>
     <context>
@@ -16413,6 +16486,18 @@ target, µm</source>
             <translation>Исходный цикл: меняется вместе с чертежом, материалом, кругом и станком, пока не изменена любая другая исходная величина.</translation>
         </message>
         <message>
+            <source>Its rough depth of cut is the usual one, %1.</source>
+            <translation>Черновая глубина резания обычная, %1.</translation>
+        </message>
+        <message>
+            <source>Its rough depth of cut, %1, is the machine&apos;s minimum and more than %2 allows; usual: %3.</source>
+            <translation>Черновая глубина резания, %1, — наименьшая у станка и больше, чем допускает %2; обычная — %3.</translation>
+        </message>
+        <message>
+            <source>Its rough depth of cut, %1, is limited by %2; usual: %3.</source>
+            <translation>Черновую глубину резания, %1, ограничивает %2; обычная — %3.</translation>
+        </message>
+        <message>
             <source>Edited: the cycle no longer follows the drawing. “%1” makes it anew.</source>
             <translation>Изменено: цикл больше не меняется вместе с чертежом. «%1» строит его заново.</translation>
         </message>
@@ -17019,6 +17104,14 @@ target, µm</source>
             <translation>{bad} из {parts} ({low}…{high} %)</translation>
         </message>
         <message>
+            <source>diameter</source>
+            <translation>диаметр</translation>
+        </message>
+        <message>
+            <source>Met, but measured parts differ from the prediction: {name}, {where}, by {value} {unit}</source>
+            <translation>Выполнено, но измеренные детали расходятся с прогнозом: {name}, {where}, на {value} {unit}</translation>
+        </message>
+        <message>
             <source>Not computed: stopped</source>
             <translation>Не рассчитано: остановлено</translation>
         </message>
@@ -17053,6 +17146,14 @@ target, µm</source>
         <message>
             <source>Met, close to the limit: {name}, {share} %</source>
             <translation>Выполнено, близко к пределу: {name}, {share} %</translation>
+        </message>
+        <message>
+            <source>Fit for every stock; batch run in part</source>
+            <translation>Годен для всех припусков; партия рассчитана не полностью</translation>
+        </message>
+        <message>
+            <source>Fit for every stock; batch not run</source>
+            <translation>Годен для всех припусков; партия не рассчитана</translation>
         </message>
         <message>
             <source>Fit for the batch: rejected {bad}</source>
@@ -18824,20 +18925,27 @@ good</source>
     <context>
         <name>sparkout::NameDialog</name>
         <message>
-            <source>Rename the surface</source>
-            <translation>Переименование поверхности</translation>
-        </message>
-        <message>
             <source>Name</source>
             <translation>Название</translation>
         </message>
         <message>
-            <source>&amp;Rename</source>
-            <translation>&amp;Переименовать</translation>
-        </message>
-        <message>
             <source>&amp;Cancel</source>
             <translation>Отмена</translation>
+        </message>
+        <message>
+            <source>Action</source>
+            <translation>Действие</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartCommands</name>
+        <message>
+            <source>Rename the surface</source>
+            <translation>Переименование поверхности</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
         </message>
         <message>
             <source>Each surface has a name of its own.</source>
@@ -19099,6 +19207,15 @@ good</source>
             <translation>Не подходит: %1: в %2 раза больше того, что оставляет шум; случайно — не более чем в %3: %4.</translation>
         </message>
         <message>
+            <source>%1 %2 at %3 s</source>
+            <comment>a reading, its unit, its time</comment>
+            <translation>%1 %2 в момент %3 с</translation>
+        </message>
+        <message>
+            <source>Over range: %1: %2: %3.</source>
+            <translation>Вне диапазона: %1: %2: %3.</translation>
+        </message>
+        <message>
             <source>%1 (stage %2)</source>
             <translation>%1 (ступень %2)</translation>
         </message>
@@ -19330,6 +19447,10 @@ good</source>
         <message>
             <source>These values cannot be applied. %1. %2</source>
             <translation>Эти значения применить нельзя. %1. %2</translation>
+        </message>
+        <message>
+            <source>These values cannot be applied: what was left out distorts them. Fit it too.</source>
+            <translation>Эти значения применить нельзя: их искажает то, что не учтено. Определите и это.</translation>
         </message>
         <message>
             <source>These values cannot be applied: the model does not fit. %1</source>

@@ -120,6 +120,9 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::wheelTooLarge:
         return {"wheel_too_large",
                 SPARKOUT_NOOP("Issue", "{value} does not fit into the hole; allowed: {limit}")};
+    case IssueCode::machineMisfit:
+        return {"machine_misfit",
+                SPARKOUT_NOOP("Issue", "{value} does not fit the machine; allowed: {limit}")};
     case IssueCode::complianceMissing:
         return {"compliance_missing",
                 SPARKOUT_NOOP("Issue", "no compliance is given and none can be computed; needed: "
@@ -230,6 +233,10 @@ IssueWords wordsOf(IssueCode code) {
         return {"name_twice", SPARKOUT_NOOP("Issue", "{value} is named twice")};
     case IssueCode::severalFit:
         return {"several_fit", SPARKOUT_NOOP("Issue", "{value} fits several: {limit}")};
+    case IssueCode::otherMachines:
+        return {"other_machines",
+                SPARKOUT_NOOP("Issue", "{value} does not take this part; machines of the catalogue "
+                                       "that do: {limit}")};
     case IssueCode::noLaw:
         return {"no_law", SPARKOUT_NOOP("Issue", "no law given; expected one of {limit}")};
     case IssueCode::notAProject:

@@ -17,8 +17,8 @@ using nlohmann::ordered_json;
 
 constexpr Output<Judgement> judgementRows[] = {
     {{.key = "state",
-      .hint = "the first that applies: not_computed, fails, stocks_fail, batch_fails, undecided, "
-              "close, batch, every_stock, nominal"},
+      .hint = "the first that applies: not_computed, fails, stocks_fail, batch_fails, "
+              "measured_differ, undecided, close, batch_not_run, batch, every_stock, nominal"},
      [](const Judgement& j) { return std::string(stateKey(j.state)); }},
     {{.key = "headline", .hint = "the same in words"},
      [](const Judgement& j) { return JudgementWording().headline(j); }},
@@ -55,15 +55,6 @@ constexpr Output<JudgedBatch> batchRows[] = {
      [](const JudgedBatch& b) { return b.lowPpk; }},
 };
 
-constexpr Output<Undecided> undecidedRows[] = {
-    {{.key = "name", .hint = "of the requirement"},
-     [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
-    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
-     [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
-    {{.key = "input", .hint = "JSON pointer of the input that decides it"},
-     [](const Undecided& u) { return u.path; }},
-};
-
 ordered_json judgementJson(const Judgement& judgement) {
     ordered_json json = outputsJson(judgementOutputs(), judgement);
     json["stocks"] = outputsJson(judgedStocksOutputs(), judgement.stocks);
@@ -86,10 +77,6 @@ std::span<const Output<StocksDecision>> judgedStocksOutputs() {
 
 std::span<const Output<JudgedBatch>> judgedBatchOutputs() {
     return batchRows;
-}
-
-std::span<const Output<Undecided>> undecidedOutputs() {
-    return undecidedRows;
 }
 
 std::string judgedResultJson(const SimulationResult& result,

@@ -16,7 +16,6 @@ using StocksDecision = std::optional<JudgedStocks>;
 [[nodiscard]] std::span<const Output<Judgement>> judgementOutputs();
 [[nodiscard]] std::span<const Output<StocksDecision>> judgedStocksOutputs();
 [[nodiscard]] std::span<const Output<JudgedBatch>> judgedBatchOutputs();
-[[nodiscard]] std::span<const Output<Undecided>> undecidedOutputs();
 
 /// The object of `simulate --json`: that of resultJson() and, under "judged", the judgement of the
 /// cycle for every stock within one infeed and, if it was run, for the batch:

@@ -104,17 +104,35 @@ std::string JudgementWording::bad(const JudgedBatch& batch) const {
                    {"high", percent(batch.interval->high)}});
 }
 
+std::string JudgementWording::differing(const MeasuredBias& bias) const {
+    ConstraintResult place{bias.kind};
+    place.zone = bias.zone;
+    place.section = bias.section;
+    const std::string name = bias.kind == ConstraintKind::diameterMin
+                                 ? translated(SPARKOUT_NOOP("Judgement", "diameter"))
+                                 : requirement(bias.kind);
+    return filled(
+        SPARKOUT_NOOP("Judgement", "Met, but measured parts differ from the prediction: "
+                                   "{name}, {where}, by {value} {unit}"),
+        {{"name", name},
+         {"where", where(place)},
+         {"value", (bias.bias_um > 0 ? "+" : "")
+                       + number(bias.bias_um, decimalsOf(bias.bias_um, significantDigits))},
+         {"unit", unit("µm")}});
+}
+
 std::string JudgementWording::withPpk(const char* text, const Interval& ppk) const {
     constexpr int decimals = 2;
     return filled(text, {{"low", number(ppk.low, decimals)}, {"high", number(ppk.high, decimals)}});
 }
 
-std::string JudgementWording::names(const std::vector<Undecided>& undecided) const {
+std::string JudgementWording::exceptions(const std::vector<Undecided>& undecided) const {
     std::string names;
     for (const Undecided& each : undecided) {
         names += (names.empty() ? "" : ", ") + requirement(each.kind);
     }
-    return names;
+    return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
+                  {{"names", names}});
 }
 
 std::string JudgementWording::headline(const Judgement& judgement) const {
@@ -133,9 +151,8 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
     case JudgedState::batchFails:
         return filled(SPARKOUT_NOOP("Judgement", "Rejects in the batch: {bad}"),
                       {{"bad", bad(*judgement.batch)}});
-    case JudgedState::undecided:
-        return filled(SPARKOUT_NOOP("Judgement", "Met, except {names}: not decided"),
-                      {{"names", names(judgement.notDecided)}});
+    case JudgedState::measuredDiffer: return differing(*judgement.measured);
+    case JudgedState::undecided: return exceptions(judgement.notDecided);
     case JudgedState::close:
         if (judgement.batch && judgement.batch->lowPpk) {
             return withPpk(
@@ -145,6 +162,10 @@ std::string JudgementWording::headline(const Judgement& judgement) const {
         return filled(SPARKOUT_NOOP("Judgement", "Met, close to the limit: {name}, {share} %"),
                       {{"name", requirement(judgement.worst->kind)},
                        {"share", percent(std::max(judgement.worst->relativeMargin, 0.0))}});
+    case JudgedState::batchNotRun:
+        return translated(judgement.batch
+                              ? SPARKOUT_NOOP("Judgement", "Fit for every stock; batch run in part")
+                              : SPARKOUT_NOOP("Judgement", "Fit for every stock; batch not run"));
     case JudgedState::batchHolds:
         return filled(SPARKOUT_NOOP("Judgement", "Fit for the batch: rejected {bad}"),
                       {{"bad", bad(*judgement.batch)}});

@@ -5,6 +5,7 @@
 #include "words/placed_text.h"
 
 #include <string>
+#include <vector>
 
 /// Judgements as texts. The English ones are defined here, marked for translation in the context
 /// "Judgement": the command line prints them, the window and its documents translate them.
@@ -20,6 +21,8 @@ public:
 
     /// "Fit for the batch: 0 of 50 rejected (≤ 7.1 %)".
     [[nodiscard]] std::string headline(const Judgement& judgement) const;
+    /// "Met, except roughness Ra: not decided".
+    [[nodiscard]] std::string exceptions(const std::vector<Undecided>& undecided) const;
     /// "Every stock per side 0.1490…0.1510 mm: fit"; or why the stocks are not decided.
     [[nodiscard]] std::string stocks(const Judgement& judgement, bool areComing = false) const;
     /// "Batch: 0 of 50 rejected (≤ 7.1 %)"; or that it is not known.
@@ -48,8 +51,8 @@ private:
     [[nodiscard]] std::string failure(RunStatus status,
                                       const std::optional<ConstraintResult>& worst) const;
     [[nodiscard]] std::string bad(const JudgedBatch& batch) const;
+    [[nodiscard]] std::string differing(const MeasuredBias& bias) const;
     [[nodiscard]] std::string withPpk(const char* text, const Interval& ppk) const;
-    [[nodiscard]] std::string names(const std::vector<Undecided>& undecided) const;
 };
 
 } // namespace sparkout

@@ -59,6 +59,8 @@ constexpr Output<FitResiduals> residualsRows[] = {
      [](const FitResiduals& r) { return r.noise ? std::optional(r.lack.ratio) : std::nullopt; }},
     {{.key = "outliers", .hint = "lone values that a robust loss counts less"},
      [](const FitResiduals& r) { return std::int64_t(r.outliers); }},
+    {{.key = "over_range", .hint = "lone readings far beyond the range of all others"},
+     [](const FitResiduals& r) { return std::int64_t(r.overRange.size()); }},
     {{.key = "in_doubt", .hint = "more is left than noise leaves"},
      [](const FitResiduals& r) { return r.lack.isLacking(); }},
     {{.key = "unlike", .hint = "what is left: drift, lag, stage, spike or other"},

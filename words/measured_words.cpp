@@ -45,8 +45,9 @@ MeasuredWords wordsOf(IdentificationStatus status) {
     case IdentificationStatus::doesNotFit:
         return {"does_not_fit",
                 SPARKOUT_NOOP("Measured",
-                              "the model does not fit: the residuals exceed the noise, a factor "
-                              "lies outside the searched range, or an input would be refused")};
+                              "the model does not fit: the residuals exceed the noise, a time, lag "
+                              "or drift is left out, a factor lies outside the searched range, or "
+                              "an input would be refused")};
     case IdentificationStatus::stopped: break;
     }
     return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};
@@ -190,6 +191,12 @@ MeasuredWords wordsOf(Unlike unlike) {
             SPARKOUT_NOOP(
                 "Measured",
                 "the project and the recording differ in something other than these parameters")};
+}
+
+const char* overRangeAdvice() {
+    return SPARKOUT_NOOP("Measured", "readings so far beyond all others come from a sensor at the "
+                                     "end of its range: leave them out, or give outliers less "
+                                     "weight");
 }
 
 const char* unitOf(FittedKind kind) {

@@ -25,6 +25,9 @@ struct MeasuredWords {
 /// The cause of a lack of fit.
 [[nodiscard]] MeasuredWords wordsOf(Unlike unlike);
 
+/// The advice for lone readings beyond the range of all others.
+[[nodiscard]] const char* overRangeAdvice();
+
 /// In English, like the others.
 [[nodiscard]] const char* textOf(AdequacyVerdict verdict);
 

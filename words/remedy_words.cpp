@@ -273,7 +273,8 @@ std::string RemedyWording::withValue(const Project& project, const RemedySetting
     case RemedyKind::dwellEntry:
     case RemedyKind::dwellExit:
     case RemedyKind::workSpeed:
-    case RemedyKind::plungeFeed: break;
+    case RemedyKind::plungeFeed:
+    case RemedyKind::targetDiameter: break;
     }
     return input(row.label, row.symbol) + ' ' + is;
 }

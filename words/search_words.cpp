@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "core/units.h"
 #include "words/issue_words.h"
+#include "words/judgement_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,10 @@ std::string SearchWording::remark(const Issue& issue) const {
 
 std::string SearchWording::requirement(ConstraintKind kind) const {
     return requirementOf(kind).key;
+}
+
+std::string SearchWording::exceptions(const std::vector<Undecided>& undecided) const {
+    return JudgementWording().exceptions(undecided);
 }
 
 std::string SearchWording::method(SearchMethod method) const {
@@ -420,6 +425,9 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
     } else {
         lines.push_back(outcome.marginWithin_us ? marginAnswer(outcome) : timeAnswer(outcome));
     }
+    if (const std::string open = exceptionsOf(outcome); !open.empty()) {
+        lines.front() += ' ' + open;
+    }
     addRefinement(outcome, lines);
     if (before_s && *before_s > 0) {
         constexpr double noticed = 5e-4;
@@ -443,10 +451,18 @@ std::vector<std::string> SearchWording::notes(const SearchOutcome& outcome) cons
         return {noAnswer(outcome)};
     }
     std::vector<std::string> lines;
+    if (std::string open = exceptionsOf(outcome); !open.empty()) {
+        lines.push_back(std::move(open));
+    }
     addBinding(outcome, lines);
     addLevels(outcome, lines);
     addRemarks(outcome, lines);
     return lines;
+}
+
+std::string SearchWording::exceptionsOf(const SearchOutcome& outcome) const {
+    const std::vector<Undecided>& open = outcome.remarks.notDecided;
+    return open.empty() ? std::string() : exceptions(open) + '.';
 }
 
 void SearchWording::addRefinement(const SearchOutcome& outcome,

@@ -60,6 +60,8 @@ protected:
     /// A row of the search by its key.
     [[nodiscard]] virtual std::string setting(const char* key) const;
     [[nodiscard]] virtual std::string requirement(ConstraintKind kind) const;
+    /// As the verdict states them.
+    [[nodiscard]] virtual std::string exceptions(const std::vector<Undecided>& undecided) const;
     [[nodiscard]] virtual std::string remark(const Issue& issue) const;
 
 private:
@@ -73,6 +75,8 @@ private:
     void addIntervalAnswer(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRefinement(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    /// "Met, except roughness Ra: not decided."; empty if all is decided.
+    [[nodiscard]] std::string exceptionsOf(const SearchOutcome& outcome) const;
     void addBinding(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addSettingEdges(const SearchOutcome& outcome, std::vector<std::string>& lines) const;

@@ -335,7 +335,8 @@ std::vector<Option> measuredOptions() {
               "gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 has the mean and the "
               "standard "
               "deviation of what is known before; names what the data cannot tell and what "
-              "to measure; exit status 4 when the model does not fit",
+              "to measure; exit status 4 when the model does not fit, or a time, lag or drift that "
+              "it needs is left out",
               "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
               "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
               "friction_power, "
@@ -344,7 +345,8 @@ std::vector<Option> measuredOptions() {
               "gauge_drift, по готовым деталям gauge_setting; beta=1.2~0.1 — с тем, что известно "
               "заранее: "
               "среднее и его стандартное отклонение; называет то, чего по данным определить "
-              "нельзя, и что измерить; код завершения 4, если модель не подходит"}},
+              "нельзя, и что измерить; код завершения 4, если модель не подходит или не учтён "
+              "нужный ей сдвиг, запаздывание или дрейф"}},
         {.name = "--loss",
          .value = choice("none huber tukey"),
          .needs = "--fit",
@@ -503,14 +505,16 @@ Command newCommand() {
         {"writes a project with a starting cycle for a surface of a drawing: the size with its "
          "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
          "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
-         "machine, in steps of the machine; what bounds the rough depth is printed, and for which "
-         "stocks the cycle is fit; the project has a usual search about it",
+         "machine, in steps of the machine; what bounds the rough depth is printed, the times of "
+         "the stages, and for which stocks the cycle is fit; the project has a usual search about "
+         "it. A part or a wheel that the machine does not take is refused",
          "записывает проект с исходным циклом для поверхности чертежа: размер с полем, например "
          "35k6, для отверстия 60H7, и то, что о нём сказано ниже. Частота вращения заготовки, "
          "подачи, "
          "припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга и "
-         "станка, с шагом станка; печатается, что ограничивает черновую глубину резания и при "
-         "каких припусках цикл годен; в проекте есть обычный поиск около него"},
+         "станка, с шагом станка; печатается, что ограничивает черновую глубину резания, время "
+         "ступеней и при каких припусках цикл годен; в проекте есть обычный поиск около него. "
+         "Деталь и круг, которые станок не принимает, отклоняются"},
         {{.name = "--length",
           .value = number("MM", "a length in mm", 0.1, 1e4),
           .isRequired = true,
@@ -542,8 +546,10 @@ Command newCommand() {
          {.name = "--wheel",
           .value = textLike("NAME", "a name of the catalogue"),
           .text =
-              {"of the catalogue, instead of its first, for a bore the widest that goes into it",
-               "круг каталога вместо первого, для отверстия — самого большого, входящего в него"}},
+              {"of the catalogue, instead of the one that suits machine, length, material and Ra, "
+               "for a bore the widest that goes into it",
+               "круг каталога вместо подходящего станку, длине, материалу и Ra, для отверстия — "
+               "самого большого, входящего в него"}},
          {.name = "--material",
           .value = textLike("NAME", "a name of the catalogue"),
           .text = {"of the catalogue, instead of hardened 40Х",

@@ -5,6 +5,7 @@
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
+#include "core/quality/roughness.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -87,6 +88,23 @@ std::optional<double> toleranceOf(const Part& part, MeasuredQuantity quantity) {
     case MeasuredQuantity::roughness_ra: break;
     }
     return part.tolerance.roughness_ra_um;
+}
+
+/// The requirement on a quantity; on a diameter its minimum.
+ConstraintKind requirementKind(MeasuredQuantity quantity) {
+    switch (quantity) {
+    case MeasuredQuantity::diameter_deviation: break;
+    case MeasuredQuantity::radial_runout: return ConstraintKind::radialRunout;
+    case MeasuredQuantity::roundness: return ConstraintKind::roundness;
+    case MeasuredQuantity::cylindricity: return ConstraintKind::cylindricity;
+    case MeasuredQuantity::roughness_ra: return ConstraintKind::roughness;
+    }
+    return ConstraintKind::diameterMin;
+}
+
+bool isPredictionWhole(ConstraintKind kind, const Project& project) {
+    return kind == ConstraintKind::roughness ? isRoughnessCalibrated(project)
+                                             : knowsMachine(kind, project);
 }
 
 constexpr Output<AdequacyOf> adequacyRows[] = {
@@ -242,6 +260,31 @@ bool speaksForModel(const std::vector<AdequacyRow>& rows) {
                || row.verdict == AdequacyVerdict::tooFewParts
                || row.verdict == AdequacyVerdict::notPredicted;
     });
+}
+
+std::optional<MeasuredBias> greatestBias(const Project& project,
+                                         const std::vector<AdequacyRow>& rows) {
+    constexpr double leastLimit_um = 1e-3; // of parts without scatter
+    std::optional<MeasuredBias> found;
+    double greatest = 0;
+    for (const AdequacyRow& row : rows) {
+        const ConstraintKind kind = requirementKind(row.measured.quantity);
+        const bool isBiased = row.verdict == AdequacyVerdict::biased
+                              || row.verdict == AdequacyVerdict::biasedAndScatters;
+        if (!isBiased || !isPredictionWhole(kind, project)) {
+            continue;
+        }
+        const double bias_um = (row.bias95->low + row.bias95->high) / 2;
+        const double ratio = std::abs(bias_um) / std::max(row.biasLimit, leastLimit_um);
+        if (ratio > greatest) {
+            greatest = ratio;
+            const int place = row.measured.place;
+            const bool isZone = project.operation->travels && place >= 0;
+            found = MeasuredBias{kind, isZone ? static_cast<Zone>(place) : Zone::section, place,
+                                 bias_um};
+        }
+    }
+    return found;
 }
 
 std::span<const Output<AdequacyOf>> adequacyOutputs() {

@@ -3,6 +3,7 @@
 
 #include "core/adequacy/measured_statistics.h"
 #include "core/adequacy/prediction.h"
+#include "core/judgement/judgement.h"
 #include "core/project/project.h"
 #include "core/quality/result_names.h"
 #include "core/result.h"
@@ -71,6 +72,12 @@ struct AdequacyLimits {
 
 /// Whether there is no contradiction with the model: no row with a bias or a different scatter.
 [[nodiscard]] bool speaksForModel(const std::vector<AdequacyRow>& rows);
+
+/// The greatest bias of these rows by its limit, for the judgement of the cycle; empty if none is
+/// biased. Where the prediction is not whole, an Ra that is not calibrated or a form without the
+/// machine's own, the requirement is not decided, and a bias is no news.
+[[nodiscard]] std::optional<MeasuredBias> greatestBias(const Project& project,
+                                                       const std::vector<AdequacyRow>& rows);
 
 /// A judged quantity, and its project.
 struct AdequacyOf {

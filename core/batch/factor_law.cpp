@@ -138,6 +138,28 @@ FactorEnds cornerEnds(const GivenFactor& factor) {
                : FactorEnds{std::max(m - 3 * s, ends.low), std::min(m + 3 * s, ends.high)};
 }
 
+std::optional<double> replacedValue(FactorKind kind, const Project& project) {
+    const Part& part = *project.part;
+    switch (kind) {
+    case FactorKind::stock: return part.stock_mm;
+    case FactorKind::runout:
+        return part.profile == ProfileForm::measured ? std::nullopt
+                                                     : std::optional(part.initial_runout_mm);
+    case FactorKind::dullness: return dullnessOf(*project.wheel);
+    case FactorKind::wheelDiameter: return project.wheel->diameter_mm;
+    case FactorKind::flowStress: return project.material->flow_stress_mpa;
+    case FactorKind::contactWidth:
+        return project.operation->travels ? project.wheel->width_mm : part.length_mm;
+    case FactorKind::partWarmer: return project.gauge->part_warmer_k;
+    case FactorKind::compliance:
+    case FactorKind::machineForm:
+    case FactorKind::runoutAt:
+    case FactorKind::gaugeError:
+    case FactorKind::gaugeAge: break;
+    }
+    return std::nullopt;
+}
+
 void putFactor(const GivenFactor& factor, double value, Project& project) {
     if (factor.place < 0) {
         putFactor(factor.kind, value, project);

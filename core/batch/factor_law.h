@@ -4,6 +4,7 @@
 #include "core/project/given_factors.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace sparkout {
 
@@ -31,6 +32,11 @@ struct FactorEnds {
     double low = 0, high = 0;
 };
 [[nodiscard]] FactorEnds cornerEnds(const GivenFactor& factor);
+
+/// The project's own value of the input that a factor replaces. Empty for a factor that multiplies
+/// an input or adds to it, for the direction of an eccentricity, which belongs to the clamping of a
+/// part, and for the runout of a measured profile.
+[[nodiscard]] std::optional<double> replacedValue(FactorKind kind, const Project& project);
 
 /// Puts a value of a factor into a project. The wheel speed falls with the wheel's diameter at the
 /// same rev/min; the compliance factor multiplies every γ, or divides every stiffness and E; a

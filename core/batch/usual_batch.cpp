@@ -5,11 +5,13 @@
 #include "core/process/force.h"
 #include "core/process/recipe_force.h"
 #include "core/project/gauge.h"
+#include "core/project/iso286.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +31,9 @@ constexpr double secondsPerHour = 3600;
 constexpr double gaugeReach = 3; ///< standard deviations to which an error is truncated
 constexpr double warmth_k = 2;   ///< standard deviation of a part's temperature at the gauge
 constexpr double outsideOfPpk1 = 0.0027; ///< share of a normal law beyond 3 s
+/// IT grade of the diameter before grinding; 9 for fine turning, 11 for coarse.
+constexpr int turnedGrade = 10;
+constexpr double mostOfStock = 1.0 / 3; ///< share of the stock that turning may take or leave
 
 std::vector<double> sharesOf(double value, std::initializer_list<double> shares) {
     std::vector<double> values;
@@ -61,6 +66,25 @@ Factor normally(std::vector<double> normal, std::vector<double> within) {
 /// A normal factor with mean 0.
 Factor aboutNothing(double deviation) {
     return normally({0, deviation}, {-gaugeReach * deviation, gaugeReach * deviation});
+}
+
+/// Half the range of the stock per side [mm]. The part is turned before it is ground: its diameter
+/// scatters over a standard tolerance [ISO286], its radius by a quarter of that in each direction.
+/// A small stock is left by a finer machining, a large one scatters at least by the usual share.
+double halfRangeOfStock_mm(const Part& part) {
+    const double stock_mm = part.stock_mm;
+    const double side = part.surface == Surface::external ? 1 : -1;
+    const double turned_mm = part.diameter_mm + side * 2 * stock_mm;
+    const double field_um = standardTolerance(turned_mm, turnedGrade).value_or(0);
+    const double turning_mm = std::min(field_um / units::umPerMm / 4, mostOfStock * stock_mm);
+    return toTwoDigits(std::max(turning_mm, (mostUsualShare - 1) * stock_mm));
+}
+
+/// An even factor about a value, in whole nanometres.
+Factor evenlyAbout(double value_mm, double half_mm) {
+    constexpr double perMm = 1e6;
+    const auto whole = [](double end_mm) { return std::round(end_mm * perMm) / perMm; };
+    return evenly({whole(value_mm - half_mm), whole(value_mm + half_mm)});
 }
 
 /// The number of parts ground between two settings of the gauge.
@@ -118,7 +142,7 @@ double toTwoDigits(double value) {
 Factor usualFactor(FactorKind kind, const Project& project) {
     switch (kind) {
     case FactorKind::stock:
-        return evenly(sharesOf(project.part->stock_mm, {leastUsualShare, mostUsualShare}));
+        return evenlyAbout(project.part->stock_mm, halfRangeOfStock_mm(*project.part));
     case FactorKind::runout: {
         const double runout = project.part->initial_runout_mm;
         return runout > 0 ? normally(sharesOf(runout, {1, 0.25}), sharesOf(runout, {0.25, 2}))

@@ -13,7 +13,8 @@ namespace sparkout {
 inline constexpr double leastUsualShare = 0.93, mostUsualShare = 1.07;
 inline constexpr int usualPartsBetweenDressings = 25;
 
-/// The usual scatter of a factor about the project's value, as a starting point. The values of the
+/// The usual scatter of a factor about the project's value, as a starting point. The stock scatters
+/// as the turning before leaves it, by a quarter of IT10 of the turned diameter. The values of the
 /// gauge's factors are estimates [MODEL-8]: three standard deviations in each direction for an
 /// error that the machine states, an hour between settings, a part warmer or colder by 2 K
 /// (standard deviation).

@@ -48,6 +48,7 @@ public:
         if (!fit()) {
             m_result.status = m_stop.stop_requested() ? IdentificationStatus::stopped
                                                       : IdentificationStatus::notConverged;
+            addResiduals(); // none after a stop; they may show why it did not converge
             return std::move(m_result);
         }
         Identifiability found = identifiabilityAt(m_problem, m_data, m_best);
@@ -515,6 +516,9 @@ private:
                     residuals.outliers += counted[i] != own[i] ? 1 : 0;
                 }
                 judge(group, counted, taken, stageEnds_s, residuals);
+                for (const std::size_t i : overRange(group.values, own)) {
+                    residuals.overRange.push_back({group.time_s[i], group.values[i]});
+                }
             }
             weightsLeft = weights.empty() ? weightsLeft : weightsLeft.subspan(own.size());
             for (const double value : own) {
@@ -764,6 +768,9 @@ Identification identify(const Project& project, const IdentificationRequest& req
             found = {};
             found.status = IdentificationStatus::stopped;
         }
+    }
+    if (!found.outOfStep.empty()) { // without these times the values are wrong
+        found.status = IdentificationStatus::doesNotFit;
     }
     judgeInputs(project, found);
     addForceLaw(project, stop, found);

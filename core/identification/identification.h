@@ -36,7 +36,8 @@ enum class IdentificationStatus {
                    ///< setting of the gauge from traces
     notRun,        ///< the cycle of the project cannot be run
     notConverged,
-    doesNotFit, ///< fitted, but the residuals exceed chance: not to be used
+    doesNotFit, ///< fitted, but the residuals exceed chance, a time is omitted, or a value lies
+                ///< outside its range: not to be used
     stopped
 };
 
@@ -47,16 +48,23 @@ struct FittedValue {
     double error = 0; ///< standard error: of a factor relative to it
 };
 
+/// A value of a trace with its time.
+struct TraceReading {
+    double time_s = 0;
+    double value = 0;
+};
+
 /// The residuals of one group.
 struct FitResiduals {
     FitSource source = FitSource::size;
     int trace = -1;
     std::vector<double> values; ///< measured less predicted, in the order of the data
     double rms = 0;
-    std::optional<TraceNoise> noise{}; ///< noise of a trace, from differences of neighbours
-    LackOfFit lack{};                  ///< lack of fit of a trace
-    UnlikeCycle unlike{};              ///< cause of the lack of fit
-    std::size_t outliers = 0;          ///< lone outliers, with a lower weight in the judgement
+    std::optional<TraceNoise> noise{};     ///< noise of a trace, from differences of neighbours
+    LackOfFit lack{};                      ///< lack of fit of a trace
+    UnlikeCycle unlike{};                  ///< cause of the lack of fit
+    std::size_t outliers = 0;              ///< lone outliers, with a lower weight in the judgement
+    std::vector<TraceReading> overRange{}; ///< lone values beyond the range of all others
 };
 
 /// A fit of traces starts at factors within this ratio; results beyond it are not used, and the
@@ -70,7 +78,7 @@ struct Identification {
     std::vector<std::vector<double>> correlation;
     std::vector<FitResiduals> residuals;
     std::optional<Normality> normality; ///< for residuals divided by the RMS of their group
-    std::vector<OutOfStep> outOfStep;   ///< omitted times, hardly 0: the values are wrong
+    std::vector<OutOfStep> outOfStep;   ///< omitted times, hardly 0: the model does not fit
     double condition = 1;
     std::vector<Unidentified> unidentified;
     std::vector<int> stepsByStage;          ///< steps of the fitted cycle, by stage

@@ -191,6 +191,34 @@ void addFollowing(const Derivatives& derivatives, std::size_t first, std::size_t
     }
 }
 
+std::vector<std::size_t> overRange(std::span<const double> values,
+                                   std::span<const double> residuals) {
+    constexpr std::size_t fewest = 20, ofSoMany = 50, mostInARow = 2;
+    std::vector<std::size_t> found;
+    if (values.size() < fewest) {
+        return found;
+    }
+    const std::size_t lone = std::max<std::size_t>(values.size() / ofSoMany, 1);
+    std::vector<double> sorted(values.begin(), values.end());
+    std::ranges::sort(sorted);
+    const double low = sorted[lone], high = sorted[sorted.size() - 1 - lone], range = high - low;
+    const auto isOver = [&](std::size_t i) {
+        return range > 0 && std::abs(residuals[i]) > range
+               && (values[i] > high + range || values[i] < low - range);
+    };
+    for (std::size_t i = 0; i < values.size();) {
+        std::size_t end = i;
+        while (end < values.size() && isOver(end)) {
+            ++end;
+        }
+        for (std::size_t k = i; end - i <= mostInARow && k < end; ++k) {
+            found.push_back(k);
+        }
+        i = std::max(end, i + 1);
+    }
+    return found;
+}
+
 UnlikeCycle unlikeOf(std::span<const double> time_s, std::span<const double> predicted,
                      std::span<const double> residuals, double noiseVariance,
                      const std::vector<double>& stageEnds_s) {

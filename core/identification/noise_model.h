@@ -58,6 +58,12 @@ void addFollowing(const Derivatives& derivatives, std::size_t first, std::size_t
                   const std::vector<std::size_t>& stages, const TraceNoise& noise,
                   std::vector<double>& sum);
 
+/// Lone values that lie beyond the range of all others by more than that range and that the model
+/// does not predict, as a sensor at the end of its range gives them: their indices. `values` and
+/// `residuals` belong to the same times; none of fewer than 20 values.
+[[nodiscard]] std::vector<std::size_t> overRange(std::span<const double> values,
+                                                 std::span<const double> residuals);
+
 /// The cause of a trace's lack of fit.
 enum class Unlike {
     drift, ///< the difference grows with time

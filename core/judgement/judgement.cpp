@@ -84,7 +84,7 @@ void addUndecided(std::vector<Undecided>& all, const Undecided& one) {
     }
 }
 
-JudgedState stateOf(const Judgement& of, bool nominalFails) {
+JudgedState stateOf(const Judgement& of, bool nominalFails, bool hasBatch) {
     if (of.status == RunStatus::refused || of.status == RunStatus::stopped) {
         return JudgedState::notComputed;
     }
@@ -97,18 +97,37 @@ JudgedState stateOf(const Judgement& of, bool nominalFails) {
     if (of.batch && of.batch->fails()) {
         return JudgedState::batchFails;
     }
+    if (of.measured) {
+        return JudgedState::measuredDiffer;
+    }
     if (!of.notDecided.empty()) {
         return JudgedState::undecided;
     }
     if ((of.worst && isClose(*of.worst)) || (of.batch && of.batch->lowPpk)) {
         return JudgedState::close;
     }
-    return of.batch && of.batch->holds() ? JudgedState::batchHolds
-           : of.stocks                   ? JudgedState::stocksHold
-                                         : JudgedState::nominal;
+    if (of.batch && of.batch->holds()) {
+        return JudgedState::batchHolds;
+    }
+    return !of.stocks ? JudgedState::nominal
+           : hasBatch ? JudgedState::batchNotRun
+                      : JudgedState::stocksHold;
 }
 
+constexpr Output<Undecided> undecidedRows[] = {
+    {{.key = "name", .hint = "of the requirement"},
+     [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
+    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
+     [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
+    {{.key = "input", .hint = "JSON pointer of the input that decides it"},
+     [](const Undecided& u) { return u.path; }},
+};
+
 } // namespace
+
+std::span<const Output<Undecided>> undecidedOutputs() {
+    return undecidedRows;
+}
 
 const char* reasonKey(UndecidedReason reason) {
     constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};
@@ -116,8 +135,9 @@ const char* reasonKey(UndecidedReason reason) {
 }
 
 const char* stateKey(JudgedState state) {
-    constexpr std::array keys{"not_computed", "fails", "stocks_fail", "batch_fails", "undecided",
-                              "close",        "batch", "every_stock", "nominal"};
+    constexpr std::array keys{"not_computed",    "fails",     "stocks_fail", "batch_fails",
+                              "measured_differ", "undecided", "close",       "batch_not_run",
+                              "batch",           "every_stock", "nominal"};
     return keys[static_cast<std::size_t>(state)];
 }
 
@@ -182,8 +202,10 @@ JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
 }
 
 Judgement judge(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
-                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch) {
+                std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch,
+                std::optional<MeasuredBias> measured) {
     Judgement judgement;
+    judgement.measured = measured;
     judgement.status = result.status;
     keepWorst(judgement.worst, constraints);
     const bool fails = judgement.worst && !judgement.worst->holds;
@@ -201,7 +223,15 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
                      {*judgement.stocks->failsIfEven, UndecidedReason::machineNotKnown,
                       "/machine/form/lobes"});
     }
-    judgement.state = stateOf(judgement, fails);
+    const bool hasBatch = result.project.batch || judgement.batch;
+    judgement.state = stateOf(judgement, fails, hasBatch);
+    return judgement;
+}
+
+Judgement judgedWith(Judgement judgement, const JudgedBatch& batch) {
+    const bool fails = judgement.state == JudgedState::fails;
+    judgement.batch = batch;
+    judgement.state = stateOf(judgement, fails, true);
     return judgement;
 }
 

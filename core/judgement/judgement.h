@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct Undecided {
     UndecidedReason reason;
     std::string path; ///< JSON pointer of the input that would decide it
 };
+[[nodiscard]] std::span<const Output<Undecided>> undecidedOutputs();
 
 /// Returns the requirements of a project that cannot be decided, in the order of the kinds. A
 /// requirement that fails in any case is decided and not among them.
@@ -85,17 +87,27 @@ struct JudgedBatch {
 };
 [[nodiscard]] JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary);
 
+/// A quantity of measured parts whose mean differs from the predicted one.
+struct MeasuredBias {
+    /// The requirement on the quantity; on a diameter its minimum.
+    ConstraintKind kind = ConstraintKind::diameterMin;
+    Zone zone = Zone::section;
+    int section = -1;   ///< −1: the whole part
+    double bias_um = 0; ///< measured mean less the predicted one
+};
+
 /// State of a cycle: the first of these that applies.
 enum class JudgedState {
-    notComputed, ///< inputs refused, or stopped
-    fails,       ///< the part that was run fails
-    stocksFail,  ///< the cycle fails for some stocks within one infeed
-    batchFails,  ///< more parts of the batch are rejected than allowed
-    undecided,   ///< all requirements are met except those that cannot be checked
-    close,       ///< all requirements are met, with little margin or a low P_pk of the batch
+    notComputed,    ///< inputs refused, or stopped
+    fails,          ///< the part that was run fails
+    stocksFail,     ///< the cycle fails for some stocks within one infeed
+    batchFails,     ///< more parts of the batch are rejected than allowed
+    measuredDiffer, ///< measured parts differ from the prediction, which meets all requirements
+    undecided,      ///< all requirements are met except those that cannot be checked
+    close,          ///< all requirements are met, with little margin or a low P_pk of the batch
+    batchNotRun, ///< the cycle is fit for every stock; its batch was not run, or only in part
     batchHolds,
-    stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch, or it
-                ///< was not run
+    stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch
     nominal     ///< the part that was run is good; other parts are not known
 };
 /// Returns the key of a state in files: "stocks_fail".
@@ -111,8 +123,9 @@ struct Judgement {
     /// The requirement to report first, over all judged stocks; settings only if not met. If the
     /// part that was run fails, it is a requirement of that part. Empty if none is checked.
     std::optional<ConstraintResult> worst;
-    std::optional<JudgedStocks> stocks; ///< empty: not decided
-    std::optional<JudgedBatch> batch;   ///< empty: there is no batch, or it was not run
+    std::optional<JudgedStocks> stocks;   ///< empty: not decided
+    std::optional<JudgedBatch> batch;     ///< empty: there is no batch, or it was not run
+    std::optional<MeasuredBias> measured; ///< empty: no measured parts differ from a prediction
     std::vector<Undecided> notDecided;
 
     [[nodiscard]] bool isNominalGood() const {
@@ -121,15 +134,20 @@ struct Judgement {
     /// Whether the state is that of the stocks or of the batch, not only of the part that was run.
     [[nodiscard]] bool isOfMoreParts() const {
         using enum JudgedState;
-        return state == stocksFail || state == batchFails || state == batchHolds
-               || state == stocksHold || (state == close && batch && batch->lowPpk);
+        return state == stocksFail || state == batchFails || state == batchNotRun
+               || state == batchHolds || state == stocksHold
+               || (state == close && batch && batch->lowPpk);
     }
 };
 
-/// Judges a run by its requirements and, where given, its stocks and its batch.
+/// Judges a run by its requirements and, where given, its stocks, its batch and measured parts.
 [[nodiscard]] Judgement judge(const SimulationResult& result,
                               const std::vector<ConstraintResult>& constraints,
                               std::optional<JudgedStocks> stocks = {},
-                              std::optional<JudgedBatch> batch = {});
+                              std::optional<JudgedBatch> batch = {},
+                              std::optional<MeasuredBias> measured = {});
+
+/// Returns the judgement of a cycle together with its batch, which was run later.
+[[nodiscard]] Judgement judgedWith(Judgement judgement, const JudgedBatch& batch);
 
 } // namespace sparkout

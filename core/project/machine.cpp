@@ -169,6 +169,28 @@ const StructInfo& tableOf<MachineLimits>() {
                        .unit = "mm", .hard = {1, 1e5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Length that the machine takes.")),
+        SPARKOUT_FIELD(MachineLimits, wheel_diameter_mm,
+                       .label = SPARKOUT_NOOP("Input", "Maximum wheel diameter"), .symbol = "D_m",
+                       .unit = "mm", .hard = {0.5, 2000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .sparse = true,
+                       .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Diameter of a new wheel that the machine "
+                                                      "takes.")),
+        SPARKOUT_FIELD(
+            MachineLimits, wheel_width_mm, .label = SPARKOUT_NOOP("Input", "Range of wheel widths"),
+            .symbol = "B_m", .unit = "mm", .hard = {0.5, 1000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 2, .sparse = true,
+            .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "Minimum and maximum width that the wheel's flanges hold.")),
+        SPARKOUT_FIELD(
+            MachineLimits, wheel_bore_mm,
+            .label = SPARKOUT_NOOP("Input", "Diameter of the wheel seat"), .symbol = "H",
+            .unit = "mm", .hard = {0.5, 1000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "any bore fits"), .sparse = true,
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "Bore of a wheel that fits; it is compared with the one "
+                                           "of the marking, 305 in 600×63×305.")),
         SPARKOUT_FIELD(
             MachineLimits, wheel_speed_m_s, .label = SPARKOUT_NOOP("Input", "Highest wheel speed"),
             .symbol = "V_m", .unit = "m/s", .hard = {1, 250},

@@ -25,7 +25,8 @@ struct WheelContact {
     NumberRows n_um_at_n; ///< rows of [force N, stiffness N/µm]
 };
 
-/// The machine's adjustment ranges, [lowest, highest, step] each; not given: unlimited.
+/// The machine's adjustment ranges, [lowest, highest, step] each, and the sizes of part and wheel
+/// that it takes; not given: unlimited.
 struct MachineLimits {
     std::optional<std::vector<double>> radial_feed_mm;
     std::optional<std::vector<double>> axial_feed_mm_min;
@@ -34,7 +35,12 @@ struct MachineLimits {
     std::optional<std::vector<double>> work_speed_rpm;
     std::optional<double> part_diameter_mm; ///< largest; not given: not limited [mm]
     std::optional<double> part_length_mm;   ///< largest; not given: not limited [mm]
-    std::optional<double> wheel_speed_m_s;  ///< highest V_k; not given: not limited [m/s]
+    /// Largest diameter of a new wheel, [lowest, highest] width, and bore of its seat; not given:
+    /// not limited [mm]
+    std::optional<double> wheel_diameter_mm;
+    std::optional<std::vector<double>> wheel_width_mm;
+    std::optional<double> wheel_bore_mm;
+    std::optional<double> wheel_speed_m_s; ///< highest V_k; not given: not limited [m/s]
 };
 
 /// The error of form that centres, headstock and spindle transfer to every part, by zone or

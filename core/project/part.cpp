@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace sparkout {
 
@@ -26,6 +27,12 @@ bool notMeasured(const Project& p, const void*) {
 }
 
 } // namespace
+
+double lengthOf(const Shaft& shaft) {
+    return std::accumulate(
+        shaft.segments.begin(), shaft.segments.end(), 0.0,
+        [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
+}
 
 std::vector<ZoneBlank> zoneBlanks(const Part& part) {
     const auto size = [](const std::optional<std::vector<double>>& own) {

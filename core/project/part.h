@@ -56,6 +56,9 @@ struct Shaft {
     std::optional<Quill> quill;
 };
 
+/// The sum of the steps' lengths [mm].
+[[nodiscard]] double lengthOf(const Shaft& shaft);
+
 /// The workpiece: drawing, blank, and the body that bends.
 struct Part {
     std::string name;

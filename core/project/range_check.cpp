@@ -192,6 +192,9 @@ std::string rangeText(const Range& range, const char* unit,
     const std::string suffix = *unit ? " " + std::string(unit) : std::string();
     const bool below = std::isfinite(range.low);
     const bool above = std::isfinite(range.high);
+    if (below && above && range.low == range.high) {
+        return number(range.low) + suffix;
+    }
     if (below && above) {
         return (range.lowOpen ? "> " : "") + number(range.low) + "…" + number(range.high) + suffix;
     }

@@ -7,6 +7,7 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
+#include "core/project/machine_fit.h"
 #include "core/project/material.h"
 #include "core/project/measured.h"
 #include "core/project/optimisation.h"
@@ -21,19 +22,12 @@
 #include <initializer_list>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <string_view>
 
 namespace sparkout {
 
 namespace {
-
-double lengthOf(const Shaft& shaft) {
-    return std::accumulate(
-        shaft.segments.begin(), shaft.segments.end(), 0.0,
-        [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
-}
 
 /// The distances beyond the ends of the ground length within which the shaft is no larger than a
 /// given diameter: to the next shoulder, or infinite without one [mm].
@@ -94,7 +88,7 @@ public:
         checkCompliance();
         checkWheelContact();
         checkMachineLimits();
-        checkRoom();
+        checkMachineFit();
         checkWheelSpeed();
         checkReading();
         checkRecipe();
@@ -429,7 +423,7 @@ private:
         }
     }
 
-    /// Lowest, highest and step, in this order.
+    /// Lowest and highest, and the step after them, in this order.
     void checkMachineLimits() {
         const MachineLimits& limits = project().machine->limits;
         for (const Field& field : tableOf<MachineLimits>().fields) {
@@ -438,34 +432,20 @@ private:
             }
             const auto& range = field.as<std::optional<std::vector<double>>>(&limits);
             const std::string lowest = std::string("/machine/limits/") + field.key + "/0";
-            if (range && range->size() == 3 && (*range)[1] < (*range)[0] && sound({lowest})) {
+            if (range && range->size() == field.count && (*range)[1] < (*range)[0]
+                && sound({lowest})) {
                 add(IssueCode::outOfRange, std::string("/machine/limits/") + field.key + "/1",
                     Amount{(*range)[1], field.unit}, Bounds{{(*range)[0]}, field.unit});
             }
         }
     }
 
-    /// Whether the machine can take the part.
-    void checkRoom() {
-        const Part& part = *project().part;
-        const MachineLimits& limits = project().machine->limits;
-        const auto compare = [this](const char* path, double value, const char* key,
-                                    const std::optional<double>& largest) {
-            const std::string limit = std::string("/machine/limits/") + key;
-            if (largest && value > *largest && sound({path, limit})) {
-                warn(IssueCode::outOfRange, path, mm(value),
-                     Bounds{.range = {.high = *largest}, .unit = "mm"});
+    /// Whether the machine takes part and wheel.
+    void checkMachineFit() {
+        for (Issue& misfit : machineMisfits(project())) {
+            if (sound({misfit.path, std::get<Bounds>(misfit.limit).field})) {
+                warn(misfit.code, misfit.path, std::move(misfit.value), std::move(misfit.limit));
             }
-        };
-        if (part.surface == Surface::external) {
-            compare("/part/diameter_mm", part.diameter_mm, "part_diameter_mm",
-                    limits.part_diameter_mm);
-        }
-        if (part.shaft.segments.empty()) {
-            compare("/part/length_mm", part.length_mm, "part_length_mm", limits.part_length_mm);
-        } else {
-            compare("/part/shaft/segments", lengthOf(part.shaft), "part_length_mm",
-                    limits.part_length_mm);
         }
     }
 

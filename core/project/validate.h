@@ -19,7 +19,7 @@ namespace sparkout {
 /// The shortest digits that read back to the same double.
 [[nodiscard]] std::string numberText(double value);
 
-/// A range as text, "0.5…1000 mm"; an open end is marked, "> 0…5 mm".
+/// A range as text, "0.5…1000 mm", or its only value; an open end is marked, "> 0…5 mm".
 [[nodiscard]] std::string rangeText(const Range& range, const char* unit,
                                     const std::function<std::string(double)>& number = numberText);
 

@@ -96,4 +96,21 @@ std::optional<double> placeInRange(const ConstraintResult& requirement) {
     return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
 }
 
+std::optional<double> ratioInRange(const ConstraintResult& requirement) {
+    const double limit = requirement.limit, value = requirement.value;
+    const bool isRange = requirementOf(requirement.kind).source == LimitSource::range;
+    return isRange && limit > 0 && value > 0
+               ? std::optional(requirement.isLeast ? value / limit : limit / value)
+               : std::nullopt;
+}
+
+int digitsOfRatio(double ratio) {
+    constexpr int usual = 2, most = 6;
+    int digits = usual;
+    while (digits < most && ratio != 1 && std::abs(ratio - 1) < std::pow(10, 1 - digits)) {
+        ++digits; // until a setting beyond or short of the end differs from it
+    }
+    return digits;
+}
+
 } // namespace sparkout

@@ -57,4 +57,11 @@ worstRequirement(const std::vector<ConstraintResult>& constraints);
 /// ends, for a range from 0 by its distances. Empty for other requirements.
 [[nodiscard]] std::optional<double> placeInRange(const ConstraintResult& requirement);
 
+/// The margin of a setting of the machine as its ratio to the nearer end of its range: 2 for twice
+/// the lower end, or half of the upper one; below 1 outside the range. Empty for other
+/// requirements, and where the setting or that end is 0.
+[[nodiscard]] std::optional<double> ratioInRange(const ConstraintResult& requirement);
+/// Significant digits of such a ratio: 2, and more next to 1.
+[[nodiscard]] int digitsOfRatio(double ratio);
+
 } // namespace sparkout

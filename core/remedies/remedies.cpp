@@ -95,6 +95,9 @@ double changeOf(const Remedy& remedy) {
             setting.scale.firstFrom(remedy.value) - setting.scale.firstFrom(setting.before);
         return ofCount * std::abs(static_cast<double>(places));
     }
+    if (setting.kind == RemedyKind::targetDiameter) { // the field is its range
+        return std::abs(remedy.value - setting.before) / (setting.high - setting.low);
+    }
     const double own = setting.before > 0 && remedy.value > 0
                            ? ofRatio * std::abs(std::log(remedy.value / setting.before))
                            : newOne;
@@ -131,8 +134,8 @@ public:
         m_issues = validate(m_project);
         for (RemedySetting& setting : settings) {
             setting.make(m_project);
-            const bool isNeeded = !setting.isPair() || !m_singleHelps;
-            if (std::optional<Remedy> remedy = isNeeded ? remedyOf(setting) : std::nullopt) {
+            if (std::optional<Remedy> remedy =
+                    canHelp(setting) ? remedyOf(setting) : std::nullopt) {
                 m_singleHelps |= setting.isSingle();
                 keep(*std::move(remedy));
             }
@@ -154,6 +157,12 @@ public:
     }
 
 private:
+    /// Whether a setting is tried: a pair if no single one helps, a target if a size is lost.
+    [[nodiscard]] bool canHelp(const RemedySetting& setting) const {
+        return setting.isPair() ? !m_singleHelps
+                                : setting.kind != RemedyKind::targetDiameter || m_trials.isOfSize();
+    }
+
     /// Faults and warnings that a change brings.
     [[nodiscard]] bool bringsIssues(const RemedySetting& setting, double value) const {
         return std::ranges::any_of(

@@ -40,7 +40,7 @@
 ///
 /// Remedies are ordered by rank: the relative change of the cycle's time, plus half the logarithm
 /// of the ratio of the setting, for a pair of both; a tenth for each double stroke or revolution,
-/// 0.3 for one more stage, 0.6 for a starting cycle.
+/// the share of the field for a target diameter, 0.3 for one more stage, 0.6 for a starting cycle.
 namespace sparkout {
 
 /// The goal of a remedy.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remedies/remedy_setting.h"
 
+#include "core/process/profile.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/member.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/starting/starting_project.h"
 #include "core/study/stage_edits.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <array>
@@ -32,6 +35,9 @@ constexpr std::array feedsWithStock{0.7, 0.5, 0.35};
 
 /// Step of stocks [mm]; a tenth of it for two stages with little stock.
 constexpr double stockStep_mm = 1e-3, littleStock_mm = 0.02;
+
+/// Step of the target diameter [mm]: that of a gauge's setting.
+constexpr double targetStep_mm = 1e-3;
 
 constexpr std::string_view inStages = "/cycle/stages/";
 
@@ -86,6 +92,7 @@ public:
         }
         addRate({RemedyKind::workSpeed, 0, 0, m_project.machine->work_speed_rpm},
                 m_project.machine->limits.work_speed_rpm, slowestSpeed, fastestSpeed);
+        addTarget();
         addPairs();
         return std::move(m_found);
     }
@@ -218,6 +225,19 @@ private:
         add(target, rangeOf(target), SettingScale::revolutions(m_project.machine->work_speed_rpm));
     }
 
+    /// The target diameter, anywhere in the field: where sizes are off its middle, they follow it.
+    void addTarget() {
+        const Part& part = *m_project.part;
+        constexpr double digits = 1e9; // removes binary rounding
+        const double now_mm = std::round(2 * targetRadius(part) * digits) / digits;
+        const auto limit_mm = [&part](double deviation_um) {
+            return part.diameter_mm + deviation_um / units::umPerMm;
+        };
+        add({RemedyKind::targetDiameter, 0, 0, now_mm},
+            {limit_mm(part.lower_deviation_um), limit_mm(part.upper_deviation_um)},
+            SettingScale::steps(0, targetStep_mm));
+    }
+
     void addStageMore() {
         const std::vector<Stage>& stages = m_project.cycle->stages;
         const StageFeed& radial = m_project.operation->radial();
@@ -259,6 +279,7 @@ Project RemedySetting::applied(Project project, double value) const {
     case RemedyKind::dwellExit: project.machine->dwell_exit_s = value; break;
     case RemedyKind::workSpeed: project.machine->work_speed_rpm = value; break;
     case RemedyKind::plungeFeed: project.machine->plunge_feed_mm_min = value; break;
+    case RemedyKind::targetDiameter: project.part->target_diameter_mm = value; break;
     case RemedyKind::addFeed:
         project = withStageAfter(std::move(project), stage);
         project.cycle->stages[stage + 1].*radial.value = value;
@@ -307,6 +328,7 @@ std::string RemedySetting::rowPath(const Project& project) const {
     case RemedyKind::dwellExit: return "/machine/dwell_exit_s";
     case RemedyKind::workSpeed: return "/machine/work_speed_rpm";
     case RemedyKind::plungeFeed: return "/machine/plunge_feed_mm_min";
+    case RemedyKind::targetDiameter: return "/part/target_diameter_mm";
     }
     return {};
 }

@@ -20,7 +20,8 @@ enum class RemedyKind {
     dwellEntry, ///< whole revolutions
     dwellExit,  ///< whole revolutions
     workSpeed,
-    plungeFeed, ///< at the reversal
+    plungeFeed,     ///< at the reversal
+    targetDiameter, ///< that the gauge is set to, within the field
     addFeed, ///< an additional stage after the last feeding one, with half of its stock: its feed
     addSparkOut,   ///< an additional spark-out at the end: its double strokes or revolutions
     stockWithFeed, ///< of the finishing stage, with another feed of the first

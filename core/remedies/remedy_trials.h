@@ -74,6 +74,12 @@ public:
     /// parts of the batch. False if it fails for one, or for more than allowed, or if the search is
     /// over.
     [[nodiscard]] bool confirm(Remedy& remedy);
+    /// Whether a size violates most without a change: a target moves sizes and nothing else.
+    [[nodiscard]] bool isOfSize() const {
+        return m_first
+               && (m_first->kind == ConstraintKind::diameterMin
+                   || m_first->kind == ConstraintKind::diameterMax);
+    }
     [[nodiscard]] bool isStopped() const { return m_options.stop.stop_requested(); }
     [[nodiscard]] bool isOver() const { return m_end.token().stop_requested(); }
     [[nodiscard]] long long runs() const { return m_runs; }

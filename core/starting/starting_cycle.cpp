@@ -34,24 +34,13 @@ constexpr double mwPerKw = 1e6;
 
 // --- classes ------------------------------------------------------------------------------------
 
-/// Grey, ductile and malleable iron: СЧ20, ВЧ50, КЧ30-6.
-bool isIron(const Material& material) {
-    return material.grade.starts_with("СЧ") || material.grade.starts_with("ВЧ")
-           || material.grade.starts_with("КЧ");
-}
-
-bool isHard(const Material& material) {
-    return !isIron(material)
-           && material.hardness_hrc.value_or(starting::hardFrom) >= starting::hardFrom;
-}
-
 bool isInternal(const Project& project) {
     return project.part->surface == Surface::internal;
 }
 
-/// The class of the required roughness, the middle one if none is required.
+/// The class of the roughness of the work.
 std::size_t roughnessClass(const Project& project) {
-    const double Ra = project.part->tolerance.roughness_ra_um.value_or(starting::middleRoughness);
+    const double Ra = workRoughness_um(*project.part);
     return Ra >= starting::coarseRoughness ? 2 : Ra >= starting::middleRoughness ? 1 : 0;
 }
 
@@ -387,7 +376,7 @@ Trial Rule::plunge() const {
     const Part& part = *m_project.part;
     const double n = m_project.machine->work_speed_rpm, width = part.length_mm,
                  T = fieldWidth_mm(part);
-    const bool hard = isHard(*m_project.material), bore = isInternal(m_project);
+    const bool hard = isHardened(*m_project.material), bore = isInternal(m_project);
     const std::size_t roughness = roughnessClass(m_project);
     const Settings feeds = plungeFeeds(m_project);
 
@@ -398,6 +387,7 @@ Trial Rule::plunge() const {
     BoundDepth depth{table};
     depth.keepTo((hard ? starting::greatestHardFeed : starting::greatestSoftFeed) / n,
                  RoughBound::table);
+    const double usual = depth.depth_mm;
     limitRough(depth, width, 1);
     const double reached = depth.depth_mm;
     Stage rough;
@@ -434,6 +424,7 @@ Trial Rule::plunge() const {
                                         + starting::plungeStepsStock * infeed));
 
     Trial trial = made(depth, std::move(rough), std::move(finish), std::move(sparkOut));
+    trial.cycle.usualDepth_mm = usual;
     trial.cycle.tableShare = reached / table;
     trial.removal = depth.depth_mm * n;
     return trial;
@@ -443,7 +434,7 @@ Trial Rule::traverse(double axialShare) const {
     const Part& part = *m_project.part;
     const double n = m_project.machine->work_speed_rpm, width = m_project.wheel->width_mm;
     const double T = fieldWidth_mm(part);
-    const bool hard = isHard(*m_project.material), bore = isInternal(m_project);
+    const bool hard = isHardened(*m_project.material), bore = isInternal(m_project);
     const std::size_t roughness = roughnessClass(m_project);
     const Settings feeds = infeeds(m_project), axials = axialFeeds(m_project);
     const auto axialFeed = [&](double share) {
@@ -490,6 +481,7 @@ Trial Rule::traverse(double axialShare) const {
 
     const double removal = depth.depth_mm * *rough.axial_feed_mm_min;
     Trial trial = made(depth, std::move(rough), std::move(finish), std::move(sparkOut));
+    trial.cycle.usualDepth_mm = table;
     trial.cycle.tableShare = depth.depth_mm / table;
     trial.removal = removal;
     return trial;
@@ -547,6 +539,32 @@ const char* roughBoundText(RoughBound bound) {
     return SPARKOUT_NOOP("StartingCycle", "the usual depth of cut");
 }
 
+bool isIron(const Material& material) {
+    return material.grade.starts_with("СЧ") || material.grade.starts_with("ВЧ")
+           || material.grade.starts_with("КЧ");
+}
+
+bool isHardened(const Material& material) {
+    return !isIron(material)
+           && material.hardness_hrc.value_or(starting::hardFrom) >= starting::hardFrom;
+}
+
+double workRoughness_um(const Part& part) {
+    return part.tolerance.roughness_ra_um.value_or(
+        std::max<double>(starting::middleRoughness,
+                         starting::roughnessOfField * fieldWidth_mm(part) * units::umPerMm));
+}
+
+double freeOverrun_mm(double width_mm, double length_mm, const StartingEnds& ends) {
+    constexpr double perMm = 10; // rounded to a tenth of a millimetre
+    const bool isShort = length_mm < starting::shortPart * width_mm;
+    const double usual = isShort ? starting::shortOverrun : starting::overrun;
+    const bool isWithoutZone =
+        length_mm > width_mm && length_mm <= (2 - usual * ends.freeCount()) * width_mm;
+    const double share = isWithoutZone ? starting::longestOverrun.value : usual;
+    return std::round(share * width_mm * perMm) / perMm;
+}
+
 Project withStartingEnds(Project project, const StartingEnds& ends) {
     Machine& machine = *project.machine;
     const Wheel& wheel = *project.wheel;
@@ -557,12 +575,8 @@ Project withStartingEnds(Project project, const StartingEnds& ends) {
     if (!project.operation->travels) {
         return project;
     }
-    constexpr double perMm = 10; // rounded to a tenth of a millimetre
-    const bool isShort = project.part->length_mm < starting::shortPart * wheel.width_mm;
-    const double share = isShort ? starting::shortOverrun : starting::overrun;
-    const auto overrun_mm = [&](bool isFree) {
-        return isFree ? std::round(share * wheel.width_mm * perMm) / perMm : 0;
-    };
+    const double free_mm = freeOverrun_mm(wheel.width_mm, project.part->length_mm, ends);
+    const auto overrun_mm = [free_mm](bool isFree) { return isFree ? free_mm : 0; };
     machine.overrun_entry_mm = overrun_mm(isEntryFree(machine, ends));
     machine.overrun_exit_mm = overrun_mm(isExitFree(machine, ends));
     project.least_overlap = starting::leastOverlap;

@@ -10,6 +10,10 @@ namespace sparkout {
 struct StartingEnds {
     bool freeAtHeadstock = true;
     bool freeAtTailstock = true;
+
+    [[nodiscard]] int freeCount() const {
+        return (freeAtHeadstock ? 1 : 0) + (freeAtTailstock ? 1 : 0);
+    }
 };
 
 /// The bound of the rough depth of cut of a starting cycle.
@@ -31,8 +35,20 @@ struct StartingCycle {
     RoughBound bound = RoughBound::table;
     bool isExceeded = false;  ///< the machine's lowest feed is more than that allows
     double roughDepth_mm = 0; ///< a, infeed per revolution or double stroke of roughing [mm]
+    double usualDepth_mm = 0; ///< a of the table
     double tableShare = 1;    ///< relative to the usual depth
 };
+
+/// The required Ra of a part [µm]; where none is required, one that suits the width of its field.
+[[nodiscard]] double workRoughness_um(const Part& part);
+
+/// Whether a material is hardened, or one whose hardness is not stated; iron is not.
+[[nodiscard]] bool isHardened(const Material& material);
+/// Grey, ductile and malleable iron: СЧ20, ВЧ50, КЧ30-6.
+[[nodiscard]] bool isIron(const Material& material);
+
+/// The overruns of a traverse at free ends [mm].
+[[nodiscard]] double freeOverrun_mm(double width_mm, double length_mm, const StartingEnds& ends);
 
 /// The project with the settings independent of the stages: the wheel speed, the lesser of the
 /// machine's and the wheel's greatest; overruns at free ends, S_rad, and least overlap and steps.

@@ -31,6 +31,8 @@ inline constexpr StartingNumber middleRoughness{0.8, "µm", "Ra from which the m
                                                 ""};
 inline constexpr StartingNumber coarseRoughness{1.6, "µm", "Ra from which the coarse class holds",
                                                 ""};
+inline constexpr StartingNumber roughnessOfField{
+    0.05, "T", "Ra where none is required, no less than that of the middle class", ""};
 
 // Work speed V = π·d·n.
 inline constexpr StartingNumber softSpeed{30, "m/min", "V of unhardened steel and iron", "MH31"};
@@ -53,6 +55,9 @@ inline constexpr StartingNumber restfulReach{0.06, "", "distance from such a par
 inline constexpr StartingNumber overrun{1. / 3, "B", "overrun at a free end", ""};
 inline constexpr StartingNumber shortOverrun{0.5, "B", "overrun at a free end of a short part", ""};
 inline constexpr StartingNumber shortPart{1.6, "B", "length below which a part is short", ""};
+inline constexpr StartingNumber longestOverrun{
+    2. / 3, "B", "overrun at a free end of a part that would have no zone between the reversals",
+    ""};
 inline constexpr StartingNumber shoulderDwell{1, "rev", "dwell at a shoulder", ""};
 inline constexpr StartingNumber reversalFeed{0.5, "mm/min", "S_rad, infeed at a reversal", ""};
 
@@ -164,8 +169,19 @@ inline constexpr StartingNumber machineRunout{
     1.5, "µm", "of centres and spindle, where the machine has none", ""};
 inline constexpr StartingNumber quillBeyond{15, "mm", "quill beyond the length of the bore", ""};
 inline constexpr StartingNumber quillShare{0.7, "D", "diameter of the quill", ""};
+
+// The wheel of the catalogue.
 inline constexpr StartingNumber widestBoreWheel{
     0.9, "d", "diameter of a wheel that is chosen for a bore, at most", ""};
+inline constexpr StartingNumber leastShaftWheel{
+    100, "mm", "diameter of a wheel that is chosen for a shaft, at least", ""};
+/// Grain by the required roughness, as F46…F60 for coarse work and F80…F100 for fine work.
+inline constexpr StartingNumber roughGrit{46, "F", "Ra above coarseRoughness", ""};
+inline constexpr StartingNumber usualGrit{60, "F", "Ra from middleRoughness", ""};
+inline constexpr StartingNumber fineGrit{70, "F", "Ra below it: F60…F80", ""};
+inline constexpr StartingNumber finestGrit{90, "F", "Ra up to finestRoughness: F80…F100", ""};
+inline constexpr StartingNumber finestRoughness{0.4, "µm",
+                                                "Ra up to which the finest grain is used", ""};
 
 } // namespace starting
 

@@ -5,14 +5,17 @@
 #include "core/catalogue/shipped_catalogue.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/machine_fit.h"
 #include "core/project/material.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/project/wheel_marking.h"
 #include "core/starting/starting_numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,21 +39,70 @@ Operation operationThat(bool travels) {
     return {};
 }
 
-/// The widest wheel that fits into a bore, otherwise the smallest; for a shaft the first.
-const WheelEntry* usualWheel(const std::vector<WheelEntry>& wheels,
-                             const StartingDrawing& drawing) {
-    if (wheels.empty()) {
-        return nullptr;
-    }
-    if (drawing.surface == Surface::external) {
-        return &wheels.front();
-    }
-    const double most_mm = starting::widestBoreWheel * drawing.diameter_mm;
-    const auto fit_mm = [most_mm](const WheelEntry& entry) {
-        const double diameter_mm = entry.value.diameter_mm;
-        return diameter_mm <= most_mm ? diameter_mm : -diameter_mm;
-    };
-    return &*std::ranges::max_element(wheels, {}, fit_mm);
+/// Whether a machine is an internal grinder, which has no tailstock.
+bool isInternalGrinder(const MachineEntry& entry) {
+    return !sourceOf(entry.sources, "stiffness_n_um/tailstock");
+}
+
+/// Whether a wheel covers the ground length or leaves a zone between the reversals, as the
+/// operation needs it; where that is open, a part that is short for the wheel must be covered.
+bool canGrind(const Wheel& wheel, const StartingDrawing& drawing) {
+    const double width_mm = wheel.width_mm;
+    const bool covers = drawing.length_mm <= width_mm;
+    const double free_mm = freeOverrun_mm(width_mm, drawing.length_mm, drawing.ends);
+    const bool leavesZone = drawing.length_mm > 2 * width_mm - drawing.ends.freeCount() * free_mm;
+    const bool isShort = drawing.length_mm < starting::shortPart * width_mm;
+    return !drawing.operation              ? covers || (leavesZone && !isShort)
+           : (*drawing.operation)->travels ? leavesZone
+                                           : covers;
+}
+
+/// The grain that the roughness of the work asks for [mm].
+double wantedGrain_mm(const Part& part) {
+    const double ra_um = workRoughness_um(part);
+    const double grit = ra_um > starting::coarseRoughness    ? starting::roughGrit
+                        : ra_um >= starting::middleRoughness ? starting::usualGrit
+                        : ra_um > starting::finestRoughness  ? starting::fineGrit
+                                                             : starting::finestGrit;
+    return grainOfGrit(static_cast<int>(grit)).value_or(0);
+}
+
+/// How many letters the hardness of a wheel is away from those for a material: J…L for a hardened
+/// steel and iron, L…N for another steel.
+int lettersAway(char hardness, const Material& material) {
+    const bool isSofter = isHardened(material) || isIron(material);
+    const char softest = isSofter ? 'J' : 'L', hardest = isSofter ? 'L' : 'N';
+    return std::max({softest - hardness, hardness - hardest, 0});
+}
+
+/// What speaks against a wheel on a machine, the most important first; less is better.
+std::tuple<bool, bool, bool, int, double>
+drawbacks(const WheelEntry& entry, const StartingDrawing& drawing, Project onMachine) {
+    *onMachine.wheel = entry.value;
+    const auto marking = readWheelMarking(entry.value.marking).value_or(WheelMarking());
+    const Material& material = *onMachine.material;
+    const bool isForIron = marking.abrasive.ends_with("С"); // silicon carbide
+    const double wanted_mm = wantedGrain_mm(*onMachine.part);
+    return {entry.value.diameter_mm < starting::leastShaftWheel
+                || !std::ranges::all_of(machineMisfits(onMachine), isPartMisfit),
+            !canGrind(entry.value, drawing), isForIron != isIron(material),
+            lettersAway(marking.hardness, material),
+            std::abs(std::log(entry.value.grain_mm / wanted_mm))};
+}
+
+/// A project's drawing, as far as the choice of a wheel needs it.
+StartingDrawing drawingFrom(const Project& project) {
+    const Part& part = *project.part;
+    StartingDrawing drawing;
+    drawing.operation = project.operation;
+    drawing.surface = part.surface;
+    drawing.diameter_mm = part.diameter_mm;
+    drawing.upper_deviation_um = part.upper_deviation_um;
+    drawing.lower_deviation_um = part.lower_deviation_um;
+    drawing.length_mm = part.length_mm;
+    drawing.tolerance = part.tolerance;
+    drawing.ends = startingEnds(project);
+    return drawing;
 }
 
 /// The named entry, or the usual one without a name; the names that match if there are several, all
@@ -90,11 +142,10 @@ Shaft boreWithQuill(const Project& project) {
     return shaft;
 }
 
-/// Everything except the cycle; one stage serves the checks.
-Project withoutCycle(const StartingDrawing& drawing, const StartingEntries& entries) {
-    Project project;
-    Part& part = *project.part;
-    project.title = part.name = drawing.name;
+/// The part of a drawing, without the body that bends.
+Part partOf(const StartingDrawing& drawing) {
+    Part part;
+    part.name = drawing.name;
     part.surface = drawing.surface;
     part.blind_bore = drawing.surface == Surface::internal && !drawing.ends.freeAtHeadstock;
     part.diameter_mm = drawing.diameter_mm;
@@ -104,6 +155,15 @@ Project withoutCycle(const StartingDrawing& drawing, const StartingEntries& entr
     part.stock_mm = drawing.stock_mm;
     part.initial_runout_mm = drawing.initial_runout_mm;
     part.tolerance = drawing.tolerance;
+    return part;
+}
+
+/// Everything except the cycle; one stage serves the checks.
+Project withoutCycle(const StartingDrawing& drawing, const StartingEntries& entries) {
+    Project project;
+    Part& part = *project.part;
+    part = partOf(drawing);
+    project.title = drawing.name;
     project.machine->geometric_runout_um = starting::machineRunout;
     applyEntry(entries.material, project);
     applyEntry(entries.wheel, project);
@@ -159,10 +219,18 @@ StartingEnds startingEnds(const Project& project) {
     return ends;
 }
 
-Project withStartingCycle(Project project) {
+std::optional<StartingCycle> startingCycleOf(const Project& project) {
     const StartingEnds ends = startingEnds(project);
     Project ended = withStartingEnds(project, ends);
-    return hasErrors(faultsOf(ended)) ? project : startingCycle(std::move(ended), ends).project;
+    return hasErrors(faultsOf(ended)) ? std::nullopt
+                                      : std::optional(startingCycle(std::move(ended), ends));
+}
+
+Project withStartingCycle(Project project) {
+    if (std::optional<StartingCycle> start = startingCycleOf(project)) {
+        return std::move(start->project);
+    }
+    return project;
 }
 
 bool hasPlainShaft(const Project& project) {
@@ -192,6 +260,57 @@ std::optional<StartingDrawing> drawingOf(const SizeDesignation& designation) {
     return drawing;
 }
 
+const WheelEntry& usualWheel(const StartingDrawing& drawing, const Machine& machine,
+                             const Material& material) {
+    const std::vector<WheelEntry>& wheels = shippedEntries<WheelEntry>();
+    if (drawing.surface == Surface::internal) {
+        const double most_mm = starting::widestBoreWheel * drawing.diameter_mm;
+        const auto fit_mm = [most_mm](const WheelEntry& entry) {
+            const double diameter_mm = entry.value.diameter_mm;
+            return diameter_mm <= most_mm ? diameter_mm : -diameter_mm;
+        };
+        return *std::ranges::max_element(wheels, {}, fit_mm);
+    }
+    Project onMachine;
+    *onMachine.part = partOf(drawing);
+    *onMachine.machine = machine;
+    *onMachine.material = material;
+    return *std::ranges::min_element(
+        wheels, {}, [&](const WheelEntry& entry) { return drawbacks(entry, drawing, onMachine); });
+}
+
+Project withUsualWheel(Project project) {
+    *project.wheel = Wheel();
+    applyEntry(usualWheel(drawingFrom(project), *project.machine, *project.material), project);
+    return project;
+}
+
+Issues machineRefusals(const Project& project) {
+    Issues refusals = machineMisfits(project);
+    for (Issue& refusal : refusals) {
+        refusal.severity = Severity::error;
+    }
+    if (std::ranges::none_of(refusals, isPartMisfit)) {
+        return refusals;
+    }
+    Keys taking{{}, Keys::Kind::choices};
+    for (const MachineEntry& entry : shippedEntries<MachineEntry>()) {
+        const MachineLimits& limits = entry.value.limits;
+        Project there = project;
+        there.machine->limits = limits;
+        if (limits.part_diameter_mm && limits.part_length_mm
+            && isInternalGrinder(entry) == (project.part->surface == Surface::internal)
+            && std::ranges::none_of(machineMisfits(there), isPartMisfit)) {
+            taking.keys.push_back(entry.name);
+        }
+    }
+    if (!taking.keys.empty()) {
+        refusals.push_back({IssueCode::otherMachines, Severity::error, "/machine/name",
+                            Quoted{'"' + project.machine->name + '"'}, std::move(taking)});
+    }
+    return refusals;
+}
+
 std::optional<StartingEntries> startingEntries(const StartingNames& names,
                                                const StartingDrawing& drawing, Issues& issues) {
     const bool isBore = drawing.surface == Surface::internal;
@@ -199,11 +318,12 @@ std::optional<StartingEntries> startingEntries(const StartingNames& names,
         names.machine,
         entryMeant(shippedEntries<MachineEntry>(), isBore ? usualInternalMachine : usualMachine),
         "/machine/name", issues);
-    const auto* const wheel = chosen(names.wheel, usualWheel(shippedEntries<WheelEntry>(), drawing),
-                                     "/wheel/marking", issues);
     const auto* const material =
         chosen(names.material, entryMeant(shippedEntries<MaterialEntry>(), usualMaterial),
                "/material/grade", issues);
+    const WheelEntry* const usual =
+        machine && material ? &usualWheel(drawing, machine->value, material->value) : nullptr;
+    const auto* const wheel = chosen(names.wheel, usual, "/wheel/marking", issues);
     if (!machine || !wheel || !material) {
         return std::nullopt;
     }

@@ -47,17 +47,31 @@ struct StartingEntries {
 };
 
 /// The entries with these names; if a name matches none or several, the known or these names
-/// instead. The usual ones are 3М151, for a bore 3К227; the first wheel of the catalogue, for a
-/// bore the widest that fits; hardened 40Х.
+/// instead. The usual ones are 3М151, for a bore 3К227; usualWheel(); hardened 40Х.
 [[nodiscard]] std::optional<StartingEntries>
 startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issues& issues);
+
+/// The wheel of the shipped catalogue that a shop would take: for a bore the widest that fits,
+/// otherwise the first of those that suit best. What counts is, in this order, whether it fits the
+/// machine, whether it can grind the length, abrasive and hardness by the material, and grain by
+/// the roughness of the work.
+[[nodiscard]] const WheelEntry& usualWheel(const StartingDrawing& drawing, const Machine& machine,
+                                           const Material& material);
+/// The project with this wheel, as new.
+[[nodiscard]] Project withUsualWheel(Project project);
+
+/// The faults that keep a new project from its machine: what of part and wheel does not fit, and
+/// the machines of the shipped catalogue that take the part.
+[[nodiscard]] Issues machineRefusals(const Project& project);
 
 /// The ends of a project's ground length: a thicker step of the shaft beside it is a shoulder, and
 /// a blind bore has its wall at the headstock.
 [[nodiscard]] StartingEnds startingEnds(const Project& project);
 
-/// The project with a starting cycle for its part, wheel and machine; unchanged if no cycle can
-/// grind the part with these.
+/// A starting cycle for a project's part, wheel and machine; empty if no cycle can grind the part
+/// with these.
+[[nodiscard]] std::optional<StartingCycle> startingCycleOf(const Project& project);
+/// The project with it, unchanged if there is none.
 [[nodiscard]] Project withStartingCycle(Project project);
 
 /// Whether the shaft is a plain cylinder, ground along its whole length, or only the quill of a

@@ -11,6 +11,7 @@
 #include "core/project/part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -104,6 +105,64 @@ Project batchOnly(Project project) {
 std::optional<Factor>& lawOf(Batch& batch, FactorKind kind) {
     const Field& field = tableOf<Factors>().fields[static_cast<std::size_t>(kind)];
     return field.as<std::optional<Factor>>(&batch.factors);
+}
+
+const std::optional<Factor>& lawOf(const Batch& batch, FactorKind kind) {
+    const Field& field = tableOf<Factors>().fields[static_cast<std::size_t>(kind)];
+    return field.as<std::optional<Factor>>(static_cast<const void*>(&batch.factors));
+}
+
+bool isSameLaw(const std::optional<Factor>& a, const std::optional<Factor>& b) {
+    return a.has_value() == b.has_value()
+           && (!a || std::ranges::all_of(tableOf<Factor>().fields, [&](const Field& field) {
+                  return field.same(&*a, &*b);
+              }));
+}
+
+/// The law with all its values scaled, then shifted.
+Factor withValuesMoved(Factor law, double scale, double shift) {
+    const auto scaled = [scale](double value, double by) {
+        constexpr double digits = 1e9; // removes binary rounding
+        double moved = std::round((scale * value + by) * digits) / digits;
+        shorten(moved);
+        return moved;
+    };
+    for (auto* values : {&law.uniform, &law.within, &law.triangular, &law.measured, &law.grows}) {
+        for (std::size_t i = 0; *values && i < (*values)->size(); ++i) {
+            (**values)[i] = scaled((**values)[i], shift);
+        }
+    }
+    for (std::size_t i = 0; law.normal && i < law.normal->size(); ++i) {
+        (*law.normal)[i] = scaled((*law.normal)[i], i == 0 ? shift : 0); // then the deviation
+    }
+    return law;
+}
+
+bool hasValuesIn(const Factor& law, const Range& allowed) {
+    const auto isAllowed = [&allowed](double value) { return allowed.contains(value); };
+    const auto hasAll = [&](const std::optional<std::vector<double>>& values) {
+        return !values || std::ranges::all_of(*values, isAllowed);
+    };
+    return hasAll(law.uniform) && hasAll(law.within) && hasAll(law.triangular)
+           && hasAll(law.measured) && hasAll(law.grows)
+           && (!law.normal || law.normal->empty() || isAllowed(law.normal->front()));
+}
+
+/// The law after a change of the input that it replaces; unchanged if no other one is allowed.
+Factor lawMoved(const Factor& law, const GivenFactor& factor, double before, double after) {
+    if (factor.kind == FactorKind::stock || factor.kind == FactorKind::partWarmer) {
+        Factor shifted = withValuesMoved(law, 1, after - before);
+        if (hasValuesIn(shifted, factor.allowed)) {
+            return shifted;
+        }
+    }
+    if (before > 0 && after > 0) {
+        Factor scaled = withValuesMoved(law, after / before, 0);
+        if (hasValuesIn(scaled, factor.allowed)) {
+            return scaled;
+        }
+    }
+    return law;
 }
 
 /// The position of a kind among the given factors, or where it would be inserted.
@@ -236,6 +295,30 @@ Project withFactor(Project project, FactorKind kind, std::optional<Factor> law) 
     }
     tidyCorrelation(project);
     return project;
+}
+
+std::vector<FactorKind> moveLaws(Project& changed, const Project& present, const Project& base) {
+    std::vector<FactorKind> moved;
+    if (!changed.batch || !present.batch || !base.batch || changed.operation != present.operation
+        || changed.operation != base.operation) {
+        return moved; // the width of contact is another input under another operation
+    }
+    for (const GivenFactor& factor : givenFactors(base)) {
+        const auto [before, now, after] =
+            std::array{replacedValue(factor.kind, base), replacedValue(factor.kind, present),
+                       replacedValue(factor.kind, changed)};
+        const std::optional<Factor>& law = lawOf(*present.batch, factor.kind);
+        if (!isWhole(factor.law) || !before || !now || !after || *now == *after
+            || !isSameLaw(law, lawOf(std::as_const(*changed.batch), factor.kind))) {
+            continue;
+        }
+        Factor made = lawMoved(*lawOf(*base.batch, factor.kind), factor, *before, *after);
+        if (!isSameLaw(made, law)) {
+            lawOf(*changed.batch, factor.kind) = std::move(made);
+            moved.push_back(factor.kind);
+        }
+    }
+    return moved;
 }
 
 Project withCorrelation(Project project, std::size_t first, std::size_t second, double value) {

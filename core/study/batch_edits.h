@@ -6,6 +6,11 @@
 #include "core/project/batch.h"
 #include "core/project/given_factors.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 /// Edits of a project's batch.
 namespace sparkout {
 
@@ -26,6 +31,14 @@ enum class FactorForm { constant, uniform, normal, triangular, measured, grows }
 /// Returns the project whose batch has this law of a factor, or none; the correlations of the other
 /// factors are unchanged.
 [[nodiscard]] Project withFactor(Project project, FactorKind kind, std::optional<Factor> law);
+
+/// Moves the laws of a batch along with the inputs that they replace, where an edit changes such an
+/// input but not its law: a law of the stock or of the part's temperature keeps its distance to the
+/// input, all others, and that of a stock that would be negative, their ratio to it. A law that
+/// would leave the allowed range of the input stays. The edit leads from `present` to `changed`;
+/// `base` is the project before the edits that it is joined with. Returns the factors that moved.
+[[nodiscard]] std::vector<FactorKind> moveLaws(Project& changed, const Project& present,
+                                               const Project& base);
 
 /// Returns the project with another correlation of two of its given factors; the matrix is
 /// removed when every correlation is 0.

@@ -9,6 +9,7 @@
 #include "core/study/search_edits.h"
 #include "core/study/usual_search.h"
 
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -42,10 +43,14 @@ std::vector<std::string> drawingInputs() {
 
 StartingAnswer drawnProject(const StartingDrawing& drawing, const StartingEntries& entries) {
     StartingAnswer answer = startingProject(drawing, entries);
-    if (answer.start) {
-        answer.start->project = usualSearch(std::move(answer.start->project));
-        answer.issues = validate(answer.start->project);
+    if (!answer.start) {
+        return answer;
     }
+    if (Issues refusals = machineRefusals(answer.start->project); !refusals.empty()) {
+        return {std::nullopt, std::move(refusals)};
+    }
+    answer.start->project = usualSearch(std::move(answer.start->project));
+    answer.issues = validate(answer.start->project);
     return answer;
 }
 

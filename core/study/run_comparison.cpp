@@ -106,10 +106,24 @@ bool same(const StageCount& a, const StageCount& b, bool) {
     return a.count == b.count;
 }
 
+bool isRange(const ConstraintResult& constraint) {
+    return requirementOf(constraint.kind).source == LimitSource::range;
+}
+
+/// A setting's margin is stated as a ratio; without one, by whether it is in its range.
+bool sameRatio(const ConstraintResult& a, const ConstraintResult& b) {
+    const std::optional<double> first = ratioInRange(a), second = ratioInRange(b);
+    const auto text = [](double ratio) { return stated(ratio, {-1, digitsOfRatio(ratio)}); };
+    return first && second ? text(*first) == text(*second)
+                           : !first && !second && a.holds == b.holds;
+}
+
 bool same(const RequirementMargin& a, const RequirementMargin& b, bool) {
     const int decimals = requirementOf(a.requirement.kind).digits.shown;
-    return marginKnown(a.requirement) == marginKnown(b.requirement)
-           && sameDigits(statedMargin(a.requirement), statedMargin(b.requirement), {decimals});
+    return isRange(a.requirement) ? sameRatio(a.requirement, b.requirement)
+                                  : marginKnown(a.requirement) == marginKnown(b.requirement)
+                                        && sameDigits(statedMargin(a.requirement),
+                                                      statedMargin(b.requirement), {decimals});
 }
 
 bool same(const WorstMargin& a, const WorstMargin& b, bool) {
@@ -118,8 +132,10 @@ bool same(const WorstMargin& a, const WorstMargin& b, bool) {
         return std::tuple(r.kind, r.zone, r.section, r.stage);
     };
     return place(a.requirement) == place(b.requirement)
-           && sameDigits(perCent * a.requirement.relativeMargin,
-                         perCent * b.requirement.relativeMargin, {-1, worstDigits});
+           && (isRange(a.requirement)
+                   ? sameRatio(a.requirement, b.requirement)
+                   : sameDigits(perCent * a.requirement.relativeMargin,
+                                perCent * b.requirement.relativeMargin, {-1, worstDigits}));
 }
 
 bool same(Light a, Light b, bool) {
@@ -257,6 +273,8 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
     constraint.margin = requirement.margin;
     constraint.relativeMargin = requirement.relative_margin;
     constraint.holds = requirement.ok;
+    const bool isAbove = (constraint.value - constraint.limit) * constraint.margin > 0;
+    constraint.isLeast = row->isLeast || (isRange(constraint) && isAbove); // of the nearer end
     constraint.isWhole = isWhole || !row->isOfSurface();
     if (inputs) {
         constraint.knowsMachine = knowsMachine(row->kind, *inputs);
@@ -278,8 +296,7 @@ std::optional<ConstraintResult> leastMargin(std::span<const ConstraintResult> co
             continue;
         }
         // the end of a range, or the least number of steps, may be reached
-        const bool mayBeMet = requirementOf(constraint.kind).source == LimitSource::range
-                              || constraint.kind == ConstraintKind::leastSteps;
+        const bool mayBeMet = isRange(constraint) || constraint.kind == ConstraintKind::leastSteps;
         const bool counts = !mayBeMet || !constraint.holds;
         if (counts && (!least || constraint.relativeMargin < least->relativeMargin)) {
             least = constraint;

@@ -295,6 +295,7 @@ private:
         if (result.status != RunStatus::completed) {
             return;
         }
+        m_outcome->remarks.notDecided = undecided(result.project, evaluateConstraints(result));
         m_outcome->remarks.issues = remarksOn(result);
         const ShopNumbers shop = shopNumbers(result);
         if (shop.ratioNearInteger()) {

@@ -3,6 +3,7 @@
 
 #include "core/dressing/interval_search.h"
 #include "core/issue.h"
+#include "core/judgement/judgement.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/phase_cases.h"
@@ -92,8 +93,9 @@ struct GivenCycle {
     std::vector<ConstraintKind> fails;
 };
 
-/// Warnings that a simulation of the answer gives.
+/// What a simulation of the answer leaves open, and its warnings.
 struct AnswerRemarks {
+    std::vector<Undecided> notDecided; ///< requirements that the answer may not meet
     /// Requirements that the quickest cycle just meets, with a margin of 0.0 %.
     std::vector<ConstraintKind> noMargin;
     Issues issues; ///< warnings of remarksOn()

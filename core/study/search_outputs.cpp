@@ -360,6 +360,7 @@ std::string searchJson(const SearchOutcome& outcome) {
     root["levels"] = levelsJson(outcome);
     root["edges"] = edgesJson(outcome);
     root["setting_edges"] = settingEdgesJson(outcome);
+    root["not_decided"] = outputsJsonOfEach(undecidedOutputs(), outcome.remarks.notDecided);
     root["remarks"] = remarksJson(outcome);
     ordered_json& cuts = root["cut_by"] = ordered_json::object();
     for (const auto& [kind, count] : outcome.cuts()) {

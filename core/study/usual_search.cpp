@@ -12,6 +12,9 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/quality/roughness.h"
+#include "core/starting/starting_cycle.h"
+#include "core/starting/starting_numbers.h"
 #include "core/study/search_edits.h"
 #include "core/units.h"
 
@@ -34,18 +37,25 @@ struct FeedRange {
     std::vector<double> now{};
 };
 
-/// The value by the required roughness: below 0.8 µm, from 0.8, from 1.6 µm; that of 0.8 where none
-/// is required.
+/// The value by the roughness of the work: below 0.8 µm, from 0.8, from 1.6 µm.
 template <class Value>
 Value byRoughness(const Project& project, const std::array<Value, 3>& values) {
-    constexpr double usual_um = 0.8, coarse_um = 1.6;
-    const double ra_um = project.part->tolerance.roughness_ra_um.value_or(usual_um);
-    return ra_um < usual_um ? values[0] : ra_um < coarse_um ? values[1] : values[2];
+    const double ra_um = workRoughness_um(*project.part);
+    return ra_um < starting::middleRoughness   ? values[0]
+           : ra_um < starting::coarseRoughness ? values[1]
+                                               : values[2];
 }
 
-bool isHard(const Project& project) {
-    constexpr double hard_hrc = 45;
-    return project.material->hardness_hrc.value_or(hard_hrc) >= hard_hrc;
+/// Whether a roughness is required that is only estimated, as a range: then nothing but the limits
+/// of the feeds keeps finishing slow.
+bool isRoughnessOpen(const Project& project) {
+    return project.part->tolerance.roughness_ra_um && !isRoughnessCalibrated(project);
+}
+
+/// What an answer must be fit for.
+OptimisationScenarios usualScenarios(const Project& project) {
+    return project.batch && checkBatch(project).empty() ? OptimisationScenarios::corners
+                                                        : OptimisationScenarios::stocks;
 }
 
 /// The feeds of a stage that a machine can be set to.
@@ -98,10 +108,18 @@ private:
 /// Fills the search of a project.
 class UsualSearch {
 public:
-    explicit UsualSearch(const Project& project) : m_project(project) {
+    explicit UsualSearch(const Project& project)
+        : m_project(project), m_isRoughnessOpen(isRoughnessOpen(project)) {
         for (const Stage& stage : project.cycle->stages) {
             if (fedBy(stage) > 0) {
                 m_feeding.push_back(stage);
+            }
+        }
+        if (hasCycle()) {
+            m_finish = m_feeding.back();
+            if (const StageFeed* axial = axialFeed(); axial && m_isRoughnessOpen) {
+                const double most = mostFinishAxial();
+                m_finish.*axial->value = std::min((m_finish.*axial->value).value_or(most), most);
             }
         }
         if (const auto steps = project.cycle->stages.back().sparkOutSteps()) {
@@ -118,9 +136,7 @@ public:
         search.stages = {2};
         search.stock_step_mm = step_mm;
         search.non_increasing = true;
-        search.scenarios = m_project.batch && checkBatch(m_project).empty()
-                               ? OptimisationScenarios::corners
-                               : OptimisationScenarios::stocks;
+        search.scenarios = usualScenarios(m_project);
         putFeeds(search);
         putStocks(search);
         search.unfed_steps = sparkOuts();
@@ -129,9 +145,10 @@ public:
 
 private:
     [[nodiscard]] const StageFeed& radial() const { return m_project.operation->radial(); }
+    [[nodiscard]] const StageFeed* axialFeed() const { return m_project.operation->axial(); }
     [[nodiscard]] bool isPlunge() const { return !m_project.operation->travels; }
     [[nodiscard]] double rough() const { return fedBy(m_feeding.front()); }
-    [[nodiscard]] double finish() const { return fedBy(m_feeding.back()); }
+    [[nodiscard]] double finish() const { return fedBy(m_finish); }
     [[nodiscard]] bool hasFinish() const { return m_feeding.size() > 1; }
     /// The radial feed of a stage, or the infeed of its continuous one per double stroke.
     [[nodiscard]] double fedBy(const Stage& stage) const {
@@ -148,7 +165,7 @@ private:
     [[nodiscard]] FeedRange plungeRough() const {
         constexpr double ofBore = 0.5;
         const Part& part = *m_project.part;
-        const bool hard = isHard(m_project);
+        const bool hard = isHardened(*m_project.material);
         const double removal_mm2_s =
             (hard ? 2.0 : 3.0) * (part.surface == Surface::internal ? ofBore : 1);
         const double most = std::min(removal_mm2_s * units::secondsPerMinute
@@ -156,12 +173,18 @@ private:
                                      hard ? 1.2 : 1.6);
         return {rough() / 2, std::max(most, rough()), {rough()}};
     }
+    /// Feeds of finishing. The current one is among them, except above `most` where the roughness
+    /// is open.
+    [[nodiscard]] FeedRange finishRange(double least, double most, double now) const {
+        if (m_isRoughnessOpen && now > most) {
+            return {std::min(least, most), most};
+        }
+        return {std::min(least, now), std::max(most, now), {now}};
+    }
     [[nodiscard]] FeedRange plungeFinish() const {
         constexpr double least = 0.05;
-        const double now = hasFinish() ? finish() : least;
-        return {std::min(least, now),
-                std::max(byRoughness(m_project, std::array{0.08, 0.125, 0.16}), now),
-                {now}};
+        return finishRange(least, byRoughness(m_project, std::array{0.08, 0.125, 0.16}),
+                           hasFinish() ? finish() : least);
     }
     [[nodiscard]] FeedRange strokeRough() const {
         constexpr double most_mm = 0.025;
@@ -170,7 +193,14 @@ private:
     [[nodiscard]] FeedRange strokeFinish() const {
         constexpr double most_mm = 0.005, ofRough = 0.7;
         const double now = hasFinish() ? finish() : std::min(most_mm, ofRough * rough());
-        return {0.6 * now, std::max(std::min(2 * now, most_mm), now), {now}};
+        return finishRange(0.6 * now, std::min(2 * now, most_mm), now);
+    }
+    [[nodiscard]] double turn_mm_min() const { ///< B·n
+        return m_project.wheel->width_mm * m_project.machine->work_speed_rpm;
+    }
+    /// S_ax of finishing at most, where the roughness is open: that of a starting cycle.
+    [[nodiscard]] double mostFinishAxial() const {
+        return byRoughness(m_project, starting::axialFinish) * turn_mm_min();
     }
 
     /// Sets levels of a feed for roughing and finishing, and their assignment.
@@ -196,29 +226,40 @@ private:
             return;
         }
         const auto during = [](FeedRange infeed, double time_min) {
-            return FeedRange{
-                infeed.low / time_min, infeed.high / time_min, {infeed.now.front() / time_min}};
+            for (double& each : infeed.now) {
+                each /= time_min;
+            }
+            return FeedRange{infeed.low / time_min, infeed.high / time_min, infeed.now};
         };
         put(search, *feed, usualStep_mm_min,
             during(strokeRough(), doubleStroke_min(m_feeding.front())),
-            during(strokeFinish(), doubleStroke_min(m_feeding.back())));
+            during(strokeFinish(), doubleStroke_min(m_finish)));
     }
 
     void putFeeds(Optimisation& search) const {
-        constexpr double plungeStep_mm_min = 0.01, infeedStep_mm = 0.0005, axialStep_mm_min = 10;
+        constexpr double plungeStep_mm_min = 0.01, infeedStep_mm = 0.0005;
         put(search, radial(), isPlunge() ? plungeStep_mm_min : infeedStep_mm,
             isPlunge() ? plungeRough() : strokeRough(),
             isPlunge() ? plungeFinish() : strokeFinish());
         putContinuous(search);
-        if (const StageFeed* axial = m_project.operation->axial()) {
-            constexpr double least = 0.15, most = 0.4; // of B·n
-            const double turn_mm_min =
-                m_project.wheel->width_mm * m_project.machine->work_speed_rpm;
-            FeedRange range{least * turn_mm_min, most * turn_mm_min};
-            for (const Stage& stage : m_feeding) {
-                range.now.push_back((stage.*axial->value).value_or(range.low));
-            }
-            search.*axial->levels = FeedSteps(m_project, *axial, axialStep_mm_min).preferred(range);
+        if (const StageFeed* axial = axialFeed()) {
+            putAxial(search, *axial);
+        }
+    }
+
+    /// The stages share these levels; where the roughness is open, finishing has bounds of its own.
+    void putAxial(Optimisation& search, const StageFeed& axial) const {
+        constexpr double least = 0.15, most = 0.4; // of B·n
+        constexpr double step_mm_min = 10;
+        FeedRange range{least * turn_mm_min(), most * turn_mm_min()};
+        for (const Stage& stage : m_feeding) {
+            range.now.push_back((stage.*axial.value).value_or(range.low));
+        }
+        if (m_isRoughnessOpen) {
+            put(search, axial, step_mm_min, range,
+                {range.low, mostFinishAxial(), {*(m_finish.*axial.value)}});
+        } else {
+            search.*axial.levels = FeedSteps(m_project, axial, step_mm_min).preferred(range);
         }
     }
 
@@ -260,7 +301,9 @@ private:
     }
 
     const Project& m_project;
+    bool m_isRoughnessOpen;
     std::vector<Stage> m_feeding;
+    Stage m_finish; ///< the last of these; where the roughness is open, with S_ax within its limit
     int m_sparkOut = 0; ///< steps; 0: no spark-out
 };
 
@@ -275,7 +318,9 @@ Project usualSearch(Project project) {
             return with;
         }
     }
-    return withOfferedSearch(std::move(project));
+    Project offered = withOfferedSearch(std::move(project));
+    offered.optimisation->scenarios = usualScenarios(offered);
+    return offered;
 }
 
 } // namespace sparkout

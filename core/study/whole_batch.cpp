@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/whole_batch.h"
 
+#include "core/adequacy/adequacy.h"
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
@@ -57,11 +58,14 @@ std::int64_t partsOfIndices(const Project& project, int points) {
 }
 
 Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch,
-                      const std::stop_token& stop) {
+                      const BatchOutcome* predicting) {
     const bool hasBatch = batch && batch->ran();
-    return judge(outcome.result, outcome.constraints, judgeStocks(outcome.result, stop),
-                 hasBatch ? std::optional(judgeBatch(batch->result, batch->summary))
-                          : std::nullopt);
+    const Project& project = outcome.result.project;
+    return judge(outcome.result, outcome.constraints, judgeStocks(outcome.result),
+                 hasBatch ? std::optional(judgeBatch(batch->result, batch->summary)) : std::nullopt,
+                 predicting && predicting->ran()
+                     ? greatestBias(project, judgeAdequacy(project, predicting->result))
+                     : std::nullopt);
 }
 
 } // namespace sparkout

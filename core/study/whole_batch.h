@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -51,9 +50,10 @@ using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 /// Returns the number of parts needed for Sobol indices.
 [[nodiscard]] std::int64_t partsOfIndices(const Project& project, int points);
 
-/// Judges an outcome for every stock within one infeed, which is decided here, and for a batch of
-/// the same inputs, which may be null. Used by reports, which wait for the decision.
+/// Judges an outcome for every stock within one infeed, which is decided here, for a batch of the
+/// same inputs and by measured parts that a batch predicts; both batches may be null. Used by
+/// reports, which wait for the decision.
 [[nodiscard]] Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch = nullptr,
-                                    const std::stop_token& stop = {});
+                                    const BatchOutcome* predicting = nullptr);
 
 } // namespace sparkout

@@ -49,6 +49,7 @@ Project plunge(int feeds, int levels) {
     Project p = example("plunge-shaft-two-stage.sparkout");
     p.optimisation->stages = {1, 2, 3, 4, 5};
     p.optimisation->stock_step_mm = p.part->stock_mm / levels;
+    p.optimisation->non_increasing = false;
     p.optimisation->radial_feed_mm_min = steps(0.8 / feeds, feeds);
     return p;
 }

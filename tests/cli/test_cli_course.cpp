@@ -140,6 +140,32 @@ private slots:
         QCOMPARE(run(grade + QStringList{"--xlsx", "-o", m_folder.filePath("none/c.xlsx")}).status,
                  1);
     }
+
+    /// Lists as Russian Excel writes them; UTF-16 by its mark, Windows-1251 by its letters.
+    void listsInAnyEncodingAreTaken_data() {
+        QTest::addColumn<QByteArray>("list");
+        addRow("Windows-1251",
+               QByteArray("\xD4\xC8\xCE;\xC3\xF0\xF3\xEF\xEF\xE0\r\n\xC8\xE2\xE0\xED;\xC0-1\r\n"));
+        addRow("UTF-16", QByteArray("\xFF\xFE\x24\x04\x18\x04\x1E\x04;\0\x13\x04\x40\x04"
+                                    "\x43\x04\x3F\x04\x3F\x04\x30\x04\n\0\x18\x04\x32\x04"
+                                    "\x30\x04\x3D\x04;\0\x10\x04-\0001\0\n\0",
+                                    42));
+        addRow("quotation marks", QByteArray("name;group\n\"Иван\";\"А-1\"\n"));
+    }
+    void listsInAnyEncodingAreTaken() {
+        QFETCH(QByteArray, list);
+        const QString group = save("encoded.csv", list.toStdString());
+        const QString folder = m_folder.filePath("encoded");
+        const Outcome outcome = run({"course", "variants", lessonPath(), "--group", group, "--seed",
+                                     "1", "-d", folder, "--force"});
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        QVERIFY(has(contentOf(folder + "/assignments.csv"), "\n1,Иван,А-1,"));
+        const Outcome graded = run({"course", "grade", lessonPath(), folder, "--group", group,
+                                    "--answers", folder + "/teacher-best-answers.csv", "--csv"});
+        QVERIFY2(graded.status == 0, graded.text().c_str());
+        QVERIFY2(has(graded.out, "sparkout-work,Иван,А-1,1,,,"), graded.out.c_str());
+    }
+
     /// The long run has as many as the largest class may hand in, each as large as is read.
     void worksAreHeldInMemoryOneAtATime() {
         if (qEnvironmentVariableIsSet("SPARKOUT_QUICK")) {

@@ -73,6 +73,23 @@ private slots:
         QVERIFY(!QByteArray::fromStdString(outcome.out).contains("cheapest"));
     }
 
+    /// The first by the metal that the wheel removed, as an independent program found (72 by
+    /// π·d·L·Π); the second by the size under position control, which follows the worn radius.
+    void partsToADressingOfTwoTrials() {
+        const auto answer = [](const std::string& name) {
+            return answerTo(
+                {"dressing",
+                 QString::fromStdString(samples::sourcePath("tests/data/trials/" + name)),
+                 "--json"});
+        };
+        const json volume = answer("dressing-volume.sparkout");
+        QCOMPARE(volume.at("parts").get<int>(), 60);
+        QCOMPARE(volume.at("ends_by").at("requirement").get<std::string>(), "wheel_power");
+        const json wear = answer("position-wear.sparkout");
+        QCOMPARE(wear.at("parts").get<int>(), 10);
+        QCOMPARE(wear.at("ends_by").at("requirement").get<std::string>(), "diameter_max");
+    }
+
     void theBatchOfASurfaceNeverGivesMoreParts() {
         json file = dullingSpindle();
         file["surfaces"][0]["batch"] = {{"parts", 8},

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `measured` as a user meets it: the real program on files with measured parts and traces.
+#include "core/digits.h"
 #include "core/project/measured.h"
 #include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/registry.h"
+#include "words/measured_words.h"
 
 #include <QFile>
 
@@ -51,14 +53,19 @@ std::string table(const json& file, double shift_um) {
     return text;
 }
 
-/// Size and power of a cycle with factors of γ and η, as a table.
-std::string traces(const json& file, double compliance, double dullness) {
+/// Size and power of a cycle with factors of γ and η, which begins so late in the recording, as a
+/// table.
+std::string traces(const json& file, double compliance, double dullness, double shift_s = 0) {
     json truth = file;
     truth["machine"]["compliance_mm_per_n"] = {5e-4 * compliance};
     truth["wheel"]["dullness"] = 0.01 * dullness;
     const Record cycle = record(readProject(truth.dump()).project.value());
-    const Recording how{.hertz = 20, .noise = 2e-4, .seed = 3};
-    const Recording ofPower{.hertz = 20, .noise = 1e-2, .offset = 0.5, .seed = 4};
+    Recording how{.hertz = 20, .noise = 2e-4, .shift_s = shift_s, .seed = 3};
+    Recording ofPower{.hertz = 20, .noise = 1e-2, .offset = 0.5, .shift_s = shift_s, .seed = 4};
+    if (shift_s > 0) {
+        how.from_s = ofPower.from_s = -1;
+        how.to_s = ofPower.to_s = cycle.end_s.back() + 2;
+    }
     const MeasuredTrace size = trace(TraceQuantity::gauge_size, cycle, how);
     const MeasuredTrace power = trace(TraceQuantity::wheel_power, cycle, ofPower);
     std::string text = "t [s],size [mm],P [kW]\n";
@@ -67,6 +74,27 @@ std::string traces(const json& file, double compliance, double dullness) {
                 + std::to_string(power.values[i]) + '\n';
     }
     return text;
+}
+
+/// Without the last column.
+std::string sizesOf(const std::string& table) {
+    std::string sizes;
+    for (const std::string& line : split(table, '\n')) {
+        sizes += line.substr(0, line.rfind(',')) + '\n';
+    }
+    return sizes;
+}
+
+/// With a lone size in its middle that is larger by so much.
+std::string withSpike(std::string table, double more_mm) {
+    const std::size_t line = table.find('\n', table.size() / 2) + 1;
+    const std::size_t comma = table.find(',', line), second = table.find(',', comma + 1);
+    const double size = std::stod(table.substr(comma + 1, second - comma - 1));
+    return table.replace(comma + 1, second - comma - 1, std::to_string(size + more_mm));
+}
+
+QString trialPath(const char* name) {
+    return QString::fromStdString(samples::sourcePath(std::string("tests/data/trials/") + name));
 }
 
 } // namespace
@@ -117,7 +145,7 @@ private slots:
     /// and what was found is saved with what it was found on.
     void aFitTakesWhatIsKnownAndIsSaved() {
         const QString file = save("plunge.sparkout", yielding().dump());
-        std::string table = traces(yielding(), 1.2, 0.9);
+        const std::string table = traces(yielding(), 1.2, 0.9);
         const QString data = save("trace.csv", table);
         const QString found = m_folder.filePath(QStringLiteral("found.sparkout"));
         const QStringList fit{"measured", file, "--data", data, "--fit"};
@@ -136,13 +164,9 @@ private slots:
         QCOMPARE(read.project->measured->calibrations.front().data, std::string("trace.csv"));
         QVERIFY(std::abs(read.project->wheel->dullness / 0.009 - 1) < 0.05);
         // A lone value that is a tenth of a millimetre off.
-        std::size_t line = table.size() / 2;
-        line = table.find('\n', line) + 1;
-        const std::size_t comma = table.find(',', line), second = table.find(',', comma + 1);
-        const double size = std::stod(table.substr(comma + 1, second - comma - 1));
-        table.replace(comma + 1, second - comma - 1, std::to_string(size + 0.1));
-        const QStringList spike{"measured", file,       "--data", save("spike.csv", table),
-                                "--fit",    parameters, "--json"};
+        const QStringList spike{
+            "measured", file,       "--data", save("spike.csv", withSpike(table, 0.1)),
+            "--fit",    parameters, "--json"};
         const json robust =
             json::parse(run(spike + QStringList{"--loss", "tukey"}).out).at("identification");
         QCOMPARE(robust.at("status").get<std::string>(), std::string("fitted"));
@@ -162,17 +186,115 @@ private slots:
         QVERIFY2(has(untold.err, "not saved"), untold.text().c_str());
     }
 
+    /// Recordings that were fitted wrongly once: revolutions traded against a shift of the time, a
+    /// machine that yields much more, a power in watts read as kilowatts.
+    void recordingsAreFittedOrRefused_data() {
+        QTest::addColumn<QString>("project");
+        QTest::addColumn<QString>("table");
+        QTest::addColumn<double>("alpha"); // 0: it does not fit
+        QTest::addColumn<double>("beta");
+        QTest::addColumn<double>("within");
+        const QString shaft = trialPath("shift_wrong.sparkout");
+        const double any = 10;
+        QTest::newRow("shift") << shaft << trialPath("shift_wrong.csv") << 1.57797821394345
+                               << 1.4561277006434539 << any;
+        QTest::newRow("no noise") << examplePath("plunge-shaft-two-stage")
+                                  << trialPath("62_noise_free_beta1.5.csv") << 1.5 << 1.5 << 0.005;
+        QTest::newRow("watts") << shaft << trialPath("14_power_W_nounit.csv") << 0.0 << 0.0 << any;
+    }
+    void recordingsAreFittedOrRefused() {
+        QFETCH(QString, project);
+        QFETCH(QString, table);
+        QFETCH(double, alpha);
+        QFETCH(double, beta);
+        QFETCH(double, within);
+        const bool fits = alpha > 0;
+        const QString found = m_folder.filePath(QStringLiteral("recording.sparkout"));
+        QFile::remove(found);
+        const Outcome outcome = run({"measured", project, "--data", table, "--fit",
+                                     "alpha,beta,size_offset,time_shift", "--json", "-o", found});
+        QVERIFY2(outcome.status == (fits ? 0 : 4), outcome.text().c_str());
+        QCOMPARE(QFile::exists(found), fits);
+        const json fit = json::parse(outcome.out).at("identification");
+        QCOMPARE(fit.at("status").get<std::string>(),
+                 std::string(fits ? "fitted" : "does_not_fit"));
+        QCOMPARE(fit.at("residuals").back().at("in_doubt").get<bool>(), !fits);
+        for (std::size_t i = 0; fits && i < 2; ++i) {
+            const double truth = i == 0 ? alpha : beta;
+            const json& value = fit.at("values")[i];
+            const json& interval = value.at("interval_95");
+            QVERIFY2(std::abs(value.at("value").get<double>() - truth) <= within,
+                     value.dump().c_str());
+            QVERIFY2(interval[0] <= truth && truth <= interval[1], value.dump().c_str());
+        }
+    }
+
+    /// Left out, the beginning of the cycle goes into the other values.
+    void aTimeLeftOutIsRefused() {
+        const QString file = save("plunge.sparkout", yielding().dump());
+        const std::string late = sizesOf(traces(yielding(), 1.25, 0.7, 0.1));
+        const QString found = m_folder.filePath(QStringLiteral("late.sparkout"));
+        const QStringList fit{"measured", file, "--data", save("late.csv", late), "-o", found};
+        const QString parameters = QStringLiteral("alpha,beta,size_offset");
+        const Outcome without = run(fit + QStringList{"--fit", parameters, "--json"});
+        QVERIFY2(without.status == 4, without.text().c_str());
+        QVERIFY2(has(without.err, "not saved") && !QFile::exists(found), without.err.c_str());
+        const json refused = json::parse(without.out).at("identification");
+        QCOMPARE(refused.at("status").get<std::string>(), std::string("does_not_fit"));
+        QVERIFY(refused.at("in_doubt").get<bool>());
+        QCOMPARE(refused.at("values").size(), std::size_t{3});
+        QCOMPARE(refused.at("out_of_step")[0].at("parameter").get<std::string>(),
+                 std::string("time_shift"));
+        const Outcome with = run(fit + QStringList{"--fit", parameters + ",time_shift"});
+        QVERIFY2(with.status == 0 && QFile::exists(found), with.text().c_str());
+    }
+
+    void aReadingOverRangeIsNamed() {
+        const QString file = save("plunge.sparkout", yielding().dump());
+        const std::string table = withSpike(traces(yielding(), 1.2, 0.9), 9.5);
+        const QStringList fit{"measured", file,
+                              "--data",   save("spike.csv", table),
+                              "--fit",    "compliance,dullness,size_offset,idle_power"};
+        const Outcome text = run(fit);
+        QVERIFY2(has(text.out, "over range: size at the gauge: "), text.text().c_str());
+        const json residuals =
+            json::parse(run(fit + QStringList{"--json"}).out).at("identification").at("residuals");
+        QCOMPARE(residuals[0].at("over_range").get<int>(), 1);
+        QCOMPARE(residuals[1].at("over_range").get<int>(), 0);
+    }
+
+    /// What the calibration predicts of a second recording is one line, whose words follow the
+    /// JSON.
+    void aRecordingThatWasNotUsedIsPredicted() {
+        const QString file = save("plunge.sparkout", yielding().dump());
+        const QString first = save("first.csv", traces(yielding(), 1.2, 0.9, 0.1));
+        const QString found = m_folder.filePath(QStringLiteral("calibrated.sparkout"));
+        const Outcome saved =
+            run({"measured", file, "--data", first, "--fit",
+                 "compliance,dullness,size_offset,idle_power,time_shift", "-o", found});
+        QVERIFY2(saved.status == 0, saved.text().c_str());
+        const QString second = save("second.csv", sizesOf(traces(yielding(), 1.2, 0.9, 0.3)));
+        const QStringList compared{"measured", found, "--data", second};
+        const json rows = json::parse(run(compared + QStringList{"--json"}).out).at("hold_out");
+        QCOMPARE(rows.size(), std::size_t{1});
+        const json& row = rows[0];
+        QCOMPARE(row.at("quantity").get<std::string>(), std::string("time"));
+        const auto number = [&row](const char* key) { return fixed(row.at(key).get<double>(), 3); };
+        const std::string said = "not used for the calibration, second.csv: "
+                                 + std::string(wordsOf(HoldOutQuantity::time).text) + ": "
+                                 + number("measured") + " s, predicted " + number("predicted");
+        const bool agrees = row.at("agrees").get<bool>();
+        const std::string verdict = agrees ? ": agrees\n" : ": does not agree\n";
+        const Outcome checked = run(compared + QStringList{"--check"});
+        QCOMPARE(checked.status, agrees ? 0 : 4);
+        QVERIFY2(has(checked.out, said) && has(checked.out, verdict), checked.text().c_str());
+    }
+
     void whatTheDataCannotTellIsNamed() {
         json file = yielding();
         const QString path = save("plunge.sparkout", file.dump());
-        std::string sizes = "t [s],size [mm]\n";
-        for (const std::string& line : split(traces(file, 1, 1), '\n')) {
-            if (line.front() != 't') {
-                sizes += line.substr(0, line.rfind(',')) + '\n';
-            }
-        }
         const QStringList command{"measured", path,
-                                  "--data",   save("sizes.csv", sizes),
+                                  "--data",   save("sizes.csv", sizesOf(traces(file, 1, 1))),
                                   "--fit",    "compliance,flow_stress,size_offset"};
         const Outcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());

@@ -46,6 +46,16 @@ private slots:
         QCOMPARE(run({"simulate", file}).status, 0);
     }
 
+    void whatBoundsTheRoughDepthIsStatedInNumbers() {
+        const QString file = m_folder.filePath("coarse.sparkout");
+        const Outcome outcome =
+            run({"new", "120e9", "--length", "400", "--stock", "0.2", "-o", file});
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        QVERIFY(has(outcome.out, "rough depth bound by the depth of the burnt layer: "));
+        QVERIFY(has(outcome.out, " µm instead of the usual 15.0 µm\n"));
+        QVERIFY(has(outcome.out, "machining time"));
+    }
+
     void boreIsGroundOnTheInternalMachine() {
         const QString file = m_folder.filePath("bore.sparkout");
         const Outcome outcome =
@@ -112,12 +122,22 @@ private slots:
         addRow("material", QStringList{"35k6", "--material", "gold"} + size, QString("--material"),
                QString("ШХ15"));
         addRow("room",
-               QStringList{"40h6", "--length", "80", "--stock", "0.15", "--shoulder", "both"},
-               QString("--length"), QString("100"));
+               QStringList{"40h6", "--length", "90", "--stock", "0.15", "--shoulder", "both"},
+               QString("--length"), QString("126"));
         addRow("narrow wheel",
-               QStringList{"40h6", "--length", "80", "--stock", "0.15", "--operation", "plunge"},
-               QString("--operation traverse, or --wheel: 50 mm does not cover "),
-               QString("≥ 80 mm (--length)"));
+               QStringList{"40h6", "--length", "90", "--stock", "0.15", "--operation", "plunge"},
+               QString("--operation traverse, or --wheel: 63 mm does not cover "),
+               QString("≥ 90 mm (--length)"));
+        addRow("large part", QStringList{"240h6"} + size,
+               QString("240h6: 240 mm does not fit the machine; allowed: ≤ 200 mm (--machine)"),
+               QString("--machine: \"3М151\" does not take this part; machines of the catalogue "
+                       "that do: \"3У131\", \"3У132\", \"3М131\", \"3М132\", \"3М174\"\n"));
+        addRow("long part", QStringList{"40h6", "--length", "800", "--stock", "0.15"},
+               QString("--length: 800 mm does not fit the machine; allowed: ≤ 700 mm (--machine)"),
+               QString("\"3У132\", \"3М132\", \"3М174\"\n"));
+        addRow("bore of the wheel", QStringList{"35k6", "--wheel", "500×50×203 25А F60 K"} + size,
+               QString("--wheel: 203 mm does not fit the machine; allowed: 305 mm (--machine)"),
+               QString("--wheel: 50 mm does not fit the machine; allowed: 63…100 mm (--machine)"));
         addRow("rounding", QStringList{"6H7", "--length", "10", "--stock", "0.05"},
                QString("--wheel: 20 mm does not fit"), QString("< 5.866 mm"));
     }

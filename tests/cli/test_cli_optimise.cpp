@@ -3,6 +3,7 @@
 // `sparkout-cli optimize` as a user meets it: the real program, its exit status, what it prints and
 // writes, and Ctrl+C.
 #include "core/dressing/interval_search.h"
+#include "core/judgement/judgement.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
@@ -12,6 +13,7 @@
 #include "tests/cli/search_samples.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
+#include "words/judgement_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,6 +147,28 @@ private slots:
         Project alone = project;
         *alone.cycle = found.cycle;
         QVERIFY(sameProject(projectOf(file), alone));
+    }
+
+    /// In the words of the verdict: the roundness of a machine whose form is not known.
+    void itsFirstLineNamesWhatIsNotDecided() {
+        const json answer = answerOf({m_shaft, "--json"});
+        std::vector<Undecided> open;
+        for (const json& each : answer.at("not_decided")) {
+            const auto* row = requirementNamed(each.at("name").get<std::string>());
+            QVERIFY(row);
+            open.push_back({row->kind, UndecidedReason::machineNotKnown, {}});
+        }
+        QVERIFY(std::ranges::count(open, ConstraintKind::roundness, &Undecided::kind) == 1);
+        const std::string text = optimize({m_shaft}).out;
+        const std::string first = text.substr(0, text.find('\n'));
+        QVERIFY2(first.ends_with("proved. " + JudgementWording().exceptions(open) + '.'),
+                 first.c_str());
+        json file = shaft();
+        file["part"]["tolerance"] = json::object();
+        file["part"]["tolerance"]["radial_runout_um"] = 6;
+        const QString decided = save("decided.sparkout", file);
+        QVERIFY(answerOf({decided, "--json"}).at("not_decided").empty());
+        QVERIFY(!has(optimize({decided}).out, "not decided"));
     }
 
     /// The limit is moved to the answer, which stays the quickest.
@@ -482,6 +506,8 @@ private slots:
         QVERIFY(answer.at("fresh_phases").at("tried") == 0); // none was drawn
         const std::string text = optimize({saved, "--robust"}).out;
         QVERIFY2(has(text, "The cycle is fit for every stock of "), text.c_str());
+        QVERIFY(!has(text, "nominal part only"));
+        QVERIFY(has(optimize({saved}).out, " for the nominal part only, proved."));
         QVERIFY(!has(text, "stocks drawn at random"));
     }
 

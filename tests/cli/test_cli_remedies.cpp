@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `remedies` as a user meets it: the real program, what it prints, and that its patch does it.
+#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/remedies/remedies.h"
 #include "core/simulation/simulate.h"
@@ -76,7 +77,9 @@ private slots:
     }
 
     void peopleReadALineForEach() {
-        const Outcome outcome = run({"remedies", examplePath("wheel-dull")});
+        Project dull = projectOf(examplePath("wheel-dull"));
+        dull.machine->limits.work_speed_rpm = std::vector<double>{160, 160, 5}; // a feed is offered
+        const Outcome outcome = run({"remedies", save("dull.sparkout", writeProject(dull))});
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.out.starts_with("diameter_min is not met in "), outcome.out.c_str());
         QVERIFY2(has(outcome.out, " of stage "), outcome.out.c_str());

@@ -47,8 +47,10 @@ class Starting(unittest.TestCase):
             sparkout.starting("35k6", operation="turning", **size)
         with self.assertRaisesRegex(sparkout.ProjectError, "/machine/name.*3М151"):
             sparkout.starting("35k6", machine="no such", **size)
+        with self.assertRaisesRegex(sparkout.ProjectError, "(?s)/part/diameter_mm.*3М174"):
+            sparkout.starting("300h8", machine="3М151", **size)
         with self.assertRaisesRegex(sparkout.ProjectError, "/part/length_mm"):
-            sparkout.starting("40h6", length_mm=80, stock_mm=0.15, shoulder="both")
+            sparkout.starting("40h6", length_mm=90, stock_mm=0.15, shoulder="both")
 
 
 class Evaluations(unittest.TestCase):
@@ -314,6 +316,20 @@ class Studies(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "table: line"):
             sparkout.measured(project, table="Diameter, mm\nthirty\n")
 
+    def test_a_recording_that_the_calibration_has_not_used_is_predicted(self):
+        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout")
+        recording = EXAMPLES.parent.parent / "tests/data/trials/62_noise_free_beta1.5.csv"
+        calibrated = sparkout.calibrated(project, fit="alpha,beta,size_offset,time_shift",
+                                         table=recording.read_text(), data="first.csv")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "calibrated.sparkout"
+            calibrated.write(path)
+            found = sparkout.measured(sparkout.Project.read(path))
+            self.assertEqual(found, cli("measured", path, "--json"))
+        row, = found["hold_out"]
+        self.assertEqual((row["trace"], row["quantity"], row["unit"]), (0, "time", "s"))
+        self.assertAlmostEqual(row["measured"], row["predicted"], delta=0.01)
+
     def test_a_lesson_is_checked_as_on_the_command_line(self):
         for name in ("01-force-and-balance", "06-burn"):
             file = EXAMPLES.parent / f"lessons/{name}.sparkout-lesson"
@@ -323,9 +339,13 @@ class Studies(unittest.TestCase):
             sparkout.check_work("{}")
 
     def test_remedies_are_those_of_the_command_line_and_hold(self):
-        file = EXAMPLES / "wheel-dull.sparkout"
-        found = sparkout.remedies(sparkout.Project.read(file))
-        stated = cli("remedies", file, "--json")
+        project = sparkout.Project.read(EXAMPLES / "wheel-dull.sparkout").with_values({
+            "/machine/limits/work_speed_rpm": [160, 160, 5]}) # a stage more is among the three
+        found = sparkout.remedies(project)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "dull.sparkout"
+            project.write(file)
+            stated = cli("remedies", file, "--json")
         self.assertEqual(found.to_dict(), stated)
         self.assertIsNone(found.conflict)
         for member in ("goal", "status", "settings", "tried", "found", "runs"):

@@ -133,7 +133,11 @@ QString BarChart::described(std::size_t of, std::size_t category) const {
             .trimmed();
     }
     const BarSeries& bars = series[of];
-    const QString part = partName ? partName(of, category) : bars.name;
+    const QString second =
+        bars.onSecond ? secondNames.value(static_cast<qsizetype>(category)) : QString();
+    const QString part = partName           ? partName(of, category)
+                         : second.isEmpty() ? bars.name
+                                            : QStringLiteral("%1 (%2)").arg(bars.name, second);
     const QString who = shape == Shape::ring ? part
                         : part.isEmpty()     ? name
                                              : QStringLiteral("%1, %2").arg(name, part);
@@ -180,6 +184,9 @@ CsvTable BarChart::table(const std::function<bool(std::size_t)>& shows) const {
     if (!sums.empty()) {
         table.header << nameWithUnit(QStringLiteral("%1: %2").arg(axis, sumName), unit);
     }
+    if (!secondOf.isEmpty()) {
+        table.header << secondOf;
+    }
     for (std::size_t category = 0; category < static_cast<std::size_t>(categories.size());
          ++category) {
         QString name = categories[static_cast<qsizetype>(category)];
@@ -196,6 +203,9 @@ CsvTable BarChart::table(const std::function<bool(std::size_t)>& shows) const {
         }
         if (!sums.empty()) {
             row.push_back(numberCell(sums[category]));
+        }
+        if (!secondOf.isEmpty()) {
+            row.emplace_back(secondNames.value(static_cast<qsizetype>(category)));
         }
         table.rows.push_back(std::move(row));
     }

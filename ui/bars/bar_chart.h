@@ -91,6 +91,9 @@ struct BarChart {
     QString remark = {};        ///< a sentence on omitted data, for instance
     /// The name of a series in a category, if it differs.
     std::function<QString(std::size_t series, std::size_t category)> partName = {};
+    /// What the values of the second axis are of: a column of the table, and its texts by category.
+    QString secondOf = {};
+    QStringList secondNames = {};
 
     /// Converts values and limits in seconds to the unit of the longest.
     void fitTimeUnit();

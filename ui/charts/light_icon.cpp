@@ -80,27 +80,27 @@ QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
 }
 
 QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey) {
-    const bool isRing = state == JudgedState::notComputed || state == JudgedState::nominal;
-    if (!isRing) {
-        return lightPixmap(isFailure(state)                  ? Light::fails
-                           : state == JudgedState::undecided ? Light::undecided
-                           : state == JudgedState::close     ? Light::close
-                                                             : Light::holds,
+    const bool isDashed = state == JudgedState::nominal || state == JudgedState::batchNotRun;
+    if (!isDashed && state != JudgedState::notComputed) {
+        const bool isOpen = state == JudgedState::undecided || state == JudgedState::measuredDiffer;
+        return lightPixmap(isFailure(state)              ? Light::fails
+                           : isOpen                      ? Light::undecided
+                           : state == JudgedState::close ? Light::close
+                                                         : Light::holds,
                            size, ratio, grey);
     }
     const QPalette palette = QGuiApplication::palette();
-    const bool isNominal = state == JudgedState::nominal;
     const QColor colour =
-        isNominal ? lightColour(Light::holds, palette) : palette.color(QPalette::PlaceholderText);
+        isDashed ? lightColour(Light::holds, palette) : palette.color(QPalette::PlaceholderText);
     const QString key = QStringLiteral("sparkout-ring %1 %2 %3 %4 %5")
-                            .arg(isNominal)
+                            .arg(isDashed)
                             .arg(size)
                             .arg(ratio)
                             .arg(grey)
                             .arg(colour.rgb());
     return keptPixmap(key, size, ratio, grey, [&](QPainter& painter) {
-        QPen pen(colour, isNominal ? 2 : 1);
-        if (isNominal) {
+        QPen pen(colour, isDashed ? 2 : 1);
+        if (isDashed) {
             pen.setDashPattern({1.5, 1});
         }
         painter.setPen(pen);

@@ -24,7 +24,8 @@ using LightIcons = std::array<QIcon, 4>;
 /// colour.
 [[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
 /// The mark of a judgement: a grey ring if nothing was computed, a dashed green one for the nominal
-/// part alone, otherwise the light: fails, undecided or close, or meets.
+/// part alone or where the batch was not run, otherwise the light: fails, undecided or close, or
+/// meets.
 [[nodiscard]] QPixmap judgedPixmap(JudgedState state, int size, qreal ratio, bool grey);
 /// For the cells of a table, light by light, each in the middle of a line of text: in a cell of
 /// several lines, at its top, it stands on the first. Sets the table's size of icons.

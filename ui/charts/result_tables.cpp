@@ -42,11 +42,13 @@ std::span<const Output<ZoneFormFigures>> withoutRoundness() {
     return zoneFormOutputs().subspan(1);
 }
 
-QString formText(const OutputRow& row, const std::optional<double>& value_um) {
+QString formText(const OutputRow& row, const std::optional<double>& value_um,
+                 const Machine& machine) {
     const std::string_view key = row.key;
     return !value_um                                ? QStringLiteral("—")
            : key == "taper_um" || key == "crown_um" ? Names::signedMicrometres(*value_um)
-                                                    : Names::amountFixed(*value_um, 2);
+           : key == "total_runout_um" ? Names::formAmount(*value_um, isRunoutKnown(machine))
+                                      : Names::formAmount(*value_um, isRoundnessKnown(machine));
 }
 
 } // namespace
@@ -105,7 +107,10 @@ ValueTable formValues(const Outcome& outcome) {
         const ZoneFormFigures form = formOf(outcome, i);
         for (std::size_t r = 0; r < table.rows.size(); ++r) {
             const Output<ZoneFormFigures>& row = zoneFormOutputs()[r];
-            table.cells[r].push_back({formText(row, outputNumber(row, row.of(form))), {}, {}});
+            table.cells[r].push_back(
+                {formText(row, outputNumber(row, row.of(form)), *outcome.result.project.machine),
+                 {},
+                 {}});
         }
     }
     return table;

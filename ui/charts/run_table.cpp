@@ -126,9 +126,13 @@ struct ResultShown {
     }
     ShownValue operator()(const RequirementMargin& of) const {
         const ConstraintResult& c = of.requirement;
-        return {RunTable::tr("Margin › %1").arg(Names::constraint(c.kind)),
-                unitText(requirementOf(c.kind).unit),
-                Names::isRange(c.kind) ? Names::amount(c.kind, c.margin, true) : Names::margin(c),
+        const QString name = RunTable::tr("Margin › %1").arg(Names::constraint(c.kind));
+        const QString margin = Names::margin(c);
+        if (Names::isRange(c.kind)) { // a ratio, or whether it is in range
+            const std::optional<double> ratio = ratioInRange(c);
+            return {name, {}, margin, ratio ? CsvCell(*ratio) : CsvCell(margin)};
+        }
+        return {name, unitText(requirementOf(c.kind).unit), margin,
                 marginKnown(c) == MarginKnown::exactly ? CsvCell(statedMargin(c)) : CsvCell()};
     }
     ShownValue operator()(const WorstMargin& of) const {
@@ -136,7 +140,8 @@ struct ResultShown {
         const QString text =
             RunTable::tr("%1, %2: %3")
                 .arg(Names::constraint(worst.kind), Names::within(Names::where(worst)),
-                     percentShown(worst.relativeMargin));
+                     Names::isRange(worst.kind) ? Names::margin(worst)
+                                                : percentShown(worst.relativeMargin));
         return {RunTable::tr("Worst margin"), {}, text, text};
     }
     ShownValue operator()(Light light) const {

@@ -187,7 +187,8 @@ QVariant ValueModel::cell(int line, int column, int role) const {
     case Qt::FontRole: {
         QFont font;
         font.setBold(true);
-        return row.isStrong || row.isGroup ? QVariant(font) : QVariant();
+        const bool isBold = row.isStrong && !itemOf(m_table.columns, column).isPlain;
+        return isBold || row.isGroup ? QVariant(font) : QVariant();
     }
     case Qt::ForegroundRole: return inkOf(cell);
     case Qt::AccessibleTextRole: return spoken(line, column);

@@ -494,6 +494,9 @@ QString CycleFitPage::consequences() const {
         return tr("These values cannot be applied. %1. %2")
             .arg(refused.join(QStringLiteral("; ")), advice);
     }
+    if (!m_result->outOfStep.empty()) {
+        return tr("These values cannot be applied: what was left out distorts them. Fit it too.");
+    }
     if (m_result->status == IdentificationStatus::doesNotFit) {
         return tr("These values cannot be applied: the model does not fit. %1").arg(advice);
     }

@@ -110,8 +110,11 @@ QString FitResult::words() const {
                       : tr("Not to be used: %1.").arg(FitWords::status(m_result.status)));
     }
     for (const FitResiduals& group : m_result.residuals) {
-        if (const QString lack = FitWords::lack(m_project, group); !lack.isEmpty()) {
-            lines << lack;
+        for (const QString& fault :
+             {FitWords::overRange(m_project, group), FitWords::lack(m_project, group)}) {
+            if (!fault.isEmpty()) {
+                lines << fault;
+            }
         }
     }
     if (m_result.forceLaw) {

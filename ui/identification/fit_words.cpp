@@ -137,6 +137,19 @@ QString FitWords::lack(const Project& project, const FitResiduals& residuals) {
                  : tr("%1 (stage %2)").arg(unlike).arg(residuals.unlike.stage + 1));
 }
 
+QString FitWords::overRange(const Project& project, const FitResiduals& residuals) {
+    QStringList readings;
+    for (const TraceReading& one : residuals.overRange) {
+        readings << tr("%1 %2 at %3 s", "a reading, its unit, its time")
+                        .arg(number(one.value), unit(residuals.source), number(one.time_s));
+    }
+    return readings.isEmpty()
+               ? QString()
+               : tr("Over range: %1: %2: %3.")
+                     .arg(group(project, residuals), readings.join(QStringLiteral(", ")),
+                          QCoreApplication::translate("Measured", overRangeAdvice()));
+}
+
 QString FitWords::unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                const Unidentified& one) {
     QStringList names;

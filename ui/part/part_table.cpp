@@ -47,10 +47,15 @@ ValueCell searchCell(const PartStudies& studies, int id) {
     return answer ? minutesCell(answer->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
 }
 
-ValueCell batchCell(const PartStudies& studies, int id) {
+QString rejectedText(std::int64_t bad, std::int64_t parts) {
+    return PartTable::tr("%1 of %2 bad").arg(bad).arg(parts);
+}
+
+/// The batch of all surfaces, otherwise that of the verdict.
+ValueCell batchCell(const PartStudies& studies, int id, const std::optional<JudgedBatch>& judged) {
     const auto found = studies.batches.find(id);
     if (found == studies.batches.end()) {
-        return {};
+        return judged ? ValueCell{.text = rejectedText(judged->bad, judged->parts)} : ValueCell{};
     }
     const SurfaceStudy& study = *found->second;
     if (!study.isSetUp) {
@@ -60,7 +65,7 @@ ValueCell batchCell(const PartStudies& studies, int id) {
         return {.text = PartTable::tr("refused")};
     }
     const BatchSummary& summary = study.batch->summary;
-    return {.text = PartTable::tr("%1 of %2 bad").arg(summary.bad.count).arg(summary.parts)};
+    return {.text = rejectedText(summary.bad.count, summary.parts)};
 }
 
 QString nameOf(const SetupState& state, std::size_t surface) {
@@ -125,7 +130,7 @@ ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& 
                       {.text = statusText(status), .icon = iconOf(status)},
                       {.text = worstText(status)},
                       searchCell(studies, of.id),
-                      batchCell(studies, of.id)});
+                      batchCell(studies, of.id, status.judgement.batch)});
     }
     return table;
 }

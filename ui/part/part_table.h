@@ -22,7 +22,7 @@ struct PartStudies {
 enum class PartColumn { surface, diameter, time, verdict, margin, search, batch };
 
 /// A row for each surface: diameter, cycle time, verdict and least margin, followed by the results
-/// of its search and batch, if they were run.
+/// of its search and batch, if they were run; the batch is otherwise that of the verdict.
 [[nodiscard]] ValueTable partTable(const SetupState& state,
                                    const std::vector<SurfaceStatus>& statuses,
                                    const PartStudies& studies);

@@ -327,17 +327,30 @@ int ChartMatrix::fitHeights() {
     return high;
 }
 
-/// Shows the full headings of the columns, or short ones for all.
+/// Shows the longest headings that fit above all columns, otherwise the shortest ones.
 void ChartMatrix::showHeaders(int plotWidth, int left, int right) {
     const QFontMetrics metrics(m_plot.font());
-    bool fits = true;
+    const auto heading = [this](std::size_t column, qsizetype rank) {
+        const QStringList& all = m_plot.chart(column).headings;
+        return all.value(std::min(rank, all.size() - 1));
+    };
+    const auto haveRoom = [&](qsizetype rank) {
+        int widest = 0;
+        for (std::size_t i = 0; i < columns(); ++i) {
+            widest = std::max(widest, metrics.horizontalAdvance(heading(i, rank)));
+        }
+        return widest <= plotWidth + 2 * gap - 4;
+    };
+    qsizetype last = 0, shown = 0;
     for (std::size_t i = 0; i < columns(); ++i) {
-        const int width = metrics.horizontalAdvance(m_plot.chart(i).heading);
-        fits = fits && width <= plotWidth + 2 * gap - 4;
+        last = std::max(last, m_plot.chart(i).headings.size() - 1);
+    }
+    while (shown < last && !haveRoom(shown)) {
+        ++shown;
     }
     for (std::size_t i = 0; i < columns(); ++i) {
         if (QCPTextElement* const header = m_plot.heading(i)) {
-            header->setText(fits ? m_plot.chart(i).heading : m_plot.chart(i).briefHeading);
+            header->setText(heading(i, shown));
             // Centred over the plot, not over its labels.
             header->setMargins(
                 QMargins(i == 0 ? left - gap : 0, 0, i + 1 == columns() ? right - gap : 0, 0));

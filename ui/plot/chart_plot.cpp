@@ -315,7 +315,7 @@ void ChartPlot::build() {
         const std::size_t end = std::min(first + m_grid.columns, charts.size());
         std::vector<QCPAxisRect*> ofRow;
         const int row = layout->rowCount();
-        const bool isHeaded = !charts[first].heading.isEmpty();
+        const bool isHeaded = !charts[first].headings.isEmpty();
         for (std::size_t i = first; i < end; ++i) {
             const int column = static_cast<int>(i - first);
             Cell cell{addRect(isHeaded ? row + 1 : row, column, layout)};
@@ -445,7 +445,7 @@ void ChartPlot::setUpAxes(std::size_t cell) {
         axis.setTickLabels(isSecond);
     }
     if (QCPTextElement* const text = heading(cell)) {
-        text->setText(of.heading);
+        text->setText(of.headings.value(0));
     }
 }
 

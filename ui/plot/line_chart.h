@@ -167,9 +167,9 @@ struct LineChart {
     ChartAxis across = {}, up = {}, second = {};
     bool isLying = false;  ///< places downwards, values to the right, the second axis at the top
     bool isFramed = false; ///< also lines at the top and on the right
-    QString heading = {}, briefHeading = {}; ///< above the cell
-    std::vector<Band> bands = {};            ///< behind everything
-    bool namesBands = false;                 ///< above the cell, if it has bands
+    QStringList headings = {}; ///< above the cell: the usual one, then shorter ones for less room
+    std::vector<Band> bands = {}; ///< behind everything
+    bool namesBands = false;      ///< above the cell, if it has bands
     std::vector<ChartSeries> series = {};
     std::vector<ChartZone> zones = {}; ///< drawn behind the series, listed after them in the legend
     std::vector<ChartRule> rules = {}; ///< last in the legend

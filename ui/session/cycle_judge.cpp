@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/cycle_judge.h"
 
+#include "core/adequacy/adequacy.h"
 #include "core/project/batch.h"
 
 #include <algorithm>
@@ -17,15 +18,13 @@ using namespace std::chrono_literals;
 
 /// While one types or drags outcomes follow each other faster.
 constexpr auto quietBefore = 150ms;
-/// Limit on visits for a batch that runs by itself: about a second of one processor.
-constexpr std::int64_t mostVisits = 100'000'000;
-
-bool isQuick(const Outcome& outcome) {
-    const std::int64_t visits = std::max<std::int64_t>(outcome.result.visits, 1);
-    return partsOf(outcome.result.project) <= mostVisits / visits;
-}
 
 } // namespace
+
+bool isBatchQuick(const SimulationResult& result) {
+    constexpr std::int64_t mostVisits = 100'000'000;
+    return partsOf(result.project) <= mostVisits / std::max<std::int64_t>(result.visits, 1);
+}
 
 CycleJudge::CycleJudge(const RunController& runs, Studies& studies, QObject* parent)
     : QObject(parent), m_runs(runs), m_studies(studies) {
@@ -33,7 +32,8 @@ CycleJudge::CycleJudge(const RunController& runs, Studies& studies, QObject* par
     m_calm.setInterval(quietBefore);
     connect(&m_calm, &QTimer::timeout, this, &CycleJudge::runBatch);
     connect(&m_runs, &RunController::stocksDecided, this, &CycleJudge::judgeAgain);
-    for (StudyOf<BatchOutcome>* study : {&m_studies.batch, &m_studies.judged}) {
+    for (StudyOf<BatchOutcome>* study :
+         {&m_studies.batch, &m_studies.judged, &m_studies.prediction}) {
         connect(&study->job(), &Job::answered, this, &CycleJudge::judgeAgain);
     }
 }
@@ -90,9 +90,20 @@ void CycleJudge::judgeNow() {
         ofBatch = judgeBatch(found->result, found->summary);
     }
     m_judged.isBatchComing = m_judged.hasBatch && !(ofBatch && ofBatch->isWhole)
-                             && !m_studies.judged.refusal() && isQuick(outcome);
+                             && !m_studies.judged.refusal() && isBatchQuick(outcome.result);
     m_judged.areStocksComing = m_runs.areStocksComing();
-    m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch);
+    m_judged.judgement =
+        judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch, measuredBias());
+}
+
+std::optional<MeasuredBias> CycleJudge::measuredBias() const {
+    const Project& project = m_judged.outcome->result.project;
+    const StudyOf<BatchOutcome>& study = m_studies.prediction;
+    const bool isKnown = m_judgesBatches && project.measured && study.result()
+                         && study.result()->result.status == BatchStatus::completed
+                         && study.isOf(predictingProject(project));
+    return isKnown ? greatestBias(project, judgeAdequacy(project, study.result()->result))
+                   : std::nullopt;
 }
 
 BatchOutcomePtr CycleJudge::batch() const {

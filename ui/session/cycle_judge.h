@@ -8,7 +8,13 @@
 #include <QObject>
 #include <QTimer>
 
+#include <optional>
+
 namespace sparkout {
+
+/// Returns whether the batch of a run is quick enough to be run by itself: about a second of one
+/// processor.
+[[nodiscard]] bool isBatchQuick(const SimulationResult& result);
 
 /// Judgement of a run, with the parts of it that are still being computed.
 struct JudgedRun {
@@ -21,7 +27,7 @@ struct JudgedRun {
 
 /// Judges the current cycle: by its run and its stocks at once, or by its stocks somewhat later
 /// where they take longer; by its batch shortly after the last edit, when the batch is quick to run
-/// or was run by its view.
+/// or was run by its view; by measured parts once their view has run the batch that predicts them.
 class CycleJudge : public QObject {
     Q_OBJECT
 
@@ -45,6 +51,7 @@ private:
     void judgeAgain();
     void judgeNow();
     void runBatch();
+    [[nodiscard]] std::optional<MeasuredBias> measuredBias() const;
 
     const RunController& m_runs;
     Studies& m_studies;

@@ -10,6 +10,7 @@
 #include "core/project/wheel.h"
 #include "core/setup/shared_members.h"
 #include "core/starting/starting_project.h"
+#include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "core/study/usual_search.h"
 #include "ui/text/example_texts.h"
@@ -91,9 +92,9 @@ public:
     [[nodiscard]] const EditText& editText() const { return m_text; }
     [[nodiscard]] const QString& mergeKey() const { return m_mergeKey; }
     /// The surface before the edit; null if it was added by it, or later.
-    [[nodiscard]] const Project* before(int surface) const {
+    [[nodiscard]] const SurfaceState* before(int surface) const {
         const auto index = m_before.indexOf(surface);
-        return index ? &m_before.surfaces[*index]->project : nullptr;
+        return index ? m_before.surfaces[*index].get() : nullptr;
     }
 
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
@@ -124,7 +125,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&m_history, &QUndoStack::cleanChanged, this, &Document::historyChanged);
 }
 
-void Document::edit(Project changed, EditText text, const QString& mergeKey) {
+void Document::edit(Project changed, EditText text, const QString& mergeKey, Laws laws) {
     if (sameProject(changed, m_project)) {
         return;
     }
@@ -137,21 +138,55 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
             withMeasuredRa(with(changed, openInputs())).inFront().project.wheel->roughness_factor;
     }
     std::vector<std::string> open = openIn(changed);
-    if (isStarting(changed, open)) {
+    const bool starts = isStarting(changed, open);
+    const bool makesBatch = starts && hasBatchAsMade(changed);
+    const bool movesLaws = laws == Laws::move && !m_gate;
+    m_movedLaws = movesLaws && !makesBatch ? moveLawsOf(changed, m_present.inFront(), mergeKey)
+                                           : std::vector<FactorKind>();
+    if (starts) {
+        if (surfaceCount() == 1 && hasWheelAsMade(changed)) {
+            changed = withUsualWheel(std::move(changed));
+        }
         if (hasPlainShaft(changed) && surfaceCount() == 1) {
             changed = withPlainShaft(std::move(changed));
         }
-        changed = withStartingCycle(std::move(changed));
-        if (hasBatchAsMade(changed)) {
+        StartingCycle start = startingCycleOf(changed).value_or(StartingCycle{.project = changed});
+        changed = std::move(start.project);
+        if (makesBatch) {
             changed = withUsualBatch(std::move(changed));
         }
         if (openInputs().empty() || !changed.optimisation) { // an existing search stays
             changed = usualSearch(std::move(changed));
         }
-        m_started = changed;
+        start.project = changed;
+        m_started = std::move(start);
     }
-    if (push(with(std::move(changed), std::move(open)), text, mergeKey)) {
+    SetupState after = with(std::move(changed), std::move(open));
+    if (movesLaws) {
+        moveLawsOfOthers(after, mergeKey);
+    }
+    if (push(std::move(after), text, mergeKey)) {
         emit edited(before);
+    }
+}
+
+/// Moves the laws of a surface whose inputs an edit changes; none while numbers are to be entered.
+std::vector<FactorKind> Document::moveLawsOf(Project& changed, const SurfaceState& present,
+                                             const QString& mergeKey) const {
+    const SurfaceState* const joined = beforeJoined(present.id, mergeKey);
+    const SurfaceState& base = joined ? *joined : present;
+    return base.open.empty() ? moveLaws(changed, present.project, base.project)
+                             : std::vector<FactorKind>();
+}
+
+/// Moves the laws of the other surfaces, whose shared inputs an edit of the current one changes.
+void Document::moveLawsOfOthers(SetupState& after, const QString& mergeKey) const {
+    for (std::size_t i = 0; i < after.surfaces.size(); ++i) {
+        if (i != after.present && after.surfaces[i] != m_present.surfaces[i]) {
+            auto other = std::make_shared<SurfaceState>(*after.surfaces[i]);
+            (void)moveLawsOf(other->project, *m_present.surfaces[i], mergeKey);
+            after.surfaces[i] = std::move(other);
+        }
     }
 }
 
@@ -170,6 +205,18 @@ bool Document::isStarting(const Project& changed, const std::vector<std::string>
            || path.starts_with("/wheel/") || isOtherMachine;
 }
 
+/// Whether its wheel is the one chosen for the project, which is replaced with the cycle.
+bool Document::hasWheelAsMade(const Project& changed) const {
+    const auto hasWheelOf = [&changed](const Project& made) {
+        return firstDifference(made, changed,
+                               [](std::string_view path) { return path.starts_with("/wheel"); })
+            .empty();
+    };
+    return hasWheelOf(m_project)
+           && hasWheelOf(openInputs().empty() ? withUsualWheel(m_project)
+                                              : undrawnProject(m_project.operation));
+}
+
 /// Whether its batch is the one created with the project, which is replaced with the cycle.
 bool Document::hasBatchAsMade(const Project& changed) const {
     const auto isOf = [&changed](const Project& made) {
@@ -178,7 +225,7 @@ bool Document::hasBatchAsMade(const Project& changed) const {
             .empty();
     };
     return changed.batch
-           && ((m_started && isOf(*m_started)) || isOf(undrawnProject(changed.operation)));
+           && ((m_started && isOf(m_started->project)) || isOf(undrawnProject(changed.operation)));
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
@@ -234,15 +281,20 @@ std::vector<std::string> Document::openIn(const Project& changed) const {
 }
 
 bool Document::followsDrawing() const {
-    return m_started && openInputs().empty() && sameProject(*m_started, m_project);
+    return m_started && openInputs().empty() && sameProject(m_started->project, m_project);
+}
+
+const StartingCycle* Document::followingCycle() const {
+    return followsDrawing() && m_started->usualDepth_mm > 0 ? &*m_started : nullptr;
 }
 
 bool Document::isOpen(const std::string& path) const {
     return std::ranges::find(openInputs(), path) != openInputs().end();
 }
 
-Issues Document::missingInputs() const {
-    Issues issues;
+Issues Document::newFaults() const {
+    const bool isNew = m_started && m_filePath.isEmpty();
+    Issues issues = isNew && openInputs().empty() ? machineRefusals(m_project) : Issues();
     for (const std::string& path : openInputs()) {
         const Field& field = *findMember(m_project, path).field;
         issues.push_back(
@@ -261,6 +313,7 @@ void Document::withdraw(const std::string& path, EditText text) {
     std::vector<std::string> open = openInputs();
     open.push_back(path);
     const Project before = m_present.inFront().project;
+    m_movedLaws.clear();
     if (push(with(std::move(project), std::move(open)), text, QString::fromStdString(path))) {
         emit edited(before);
     }
@@ -271,10 +324,15 @@ QString Document::roundKey(const QString& mergeKey) const {
 }
 
 const Project& Document::beforeEditsOf(const QString& mergeKey) const {
+    const SurfaceState* before = beforeJoined(m_present.inFront().id, mergeKey);
+    return before ? before->project : m_project;
+}
+
+/// A surface before the edits with this key that a further edit would join; null if it joins none.
+const SurfaceState* Document::beforeJoined(int surface, const QString& mergeKey) const {
     const Edit* last = editAt(m_history.index() - 1);
     const bool joins = last && !mergeKey.isEmpty() && last->mergeKey() == roundKey(mergeKey);
-    const Project* before = joins ? last->before(m_present.inFront().id) : nullptr;
-    return before ? *before : m_project;
+    return joins ? last->before(surface) : nullptr;
 }
 
 void Document::endMerge() {
@@ -349,9 +407,9 @@ const Project* Document::lastWith(Operation operation) const {
         return &m_project;
     }
     for (int i = m_history.index() - 1; i >= 0; --i) {
-        const Project* before = editAt(i)->before(m_present.inFront().id);
-        if (before && before->operation == operation) {
-            return before;
+        const SurfaceState* before = editAt(i)->before(m_present.inFront().id);
+        if (before && before->project.operation == operation) {
+            return &before->project;
         }
     }
     return nullptr;

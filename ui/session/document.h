@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/given_factors.h"
+#include "core/starting/starting_cycle.h"
 #include "ui/session/project_io.h"
 #include "ui/session/setup_state.h"
 
@@ -73,10 +75,14 @@ public:
     /// empty and the document is modified(), the edits are no longer known.
     [[nodiscard]] QStringList unsavedEdits() const;
 
+    /// Whether the laws of batches move along with the inputs that an edit changes, moveLaws().
+    enum class Laws { move, stay };
     /// Replaces the current project, and in the other surfaces the inputs that all share.
     /// Successive edits with the same non-empty key become one step of the history, until
-    /// endMerge().
-    void edit(Project changed, EditText text, const QString& mergeKey = {});
+    /// endMerge(). No law moves under a gate, or with a number that is entered for the first time.
+    void edit(Project changed, EditText text, const QString& mergeKey = {}, Laws laws = Laws::move);
+    /// Returns the factors of the current surface whose laws the last edit() moved.
+    [[nodiscard]] const std::vector<FactorKind>& movedLaws() const { return m_movedLaws; }
     /// As edit(), for the whole set-up: its surfaces, their names and order, its times and wear.
     void editSetup(SetupState changed, EditText text, const QString& mergeKey = {});
     /// Returns the number of an added surface.
@@ -101,6 +107,8 @@ public:
     /// Returns whether the cycle is the one made for the drawing, with no other edits since: it is
     /// made again when the drawing changes.
     [[nodiscard]] bool followsDrawing() const;
+    /// Returns that cycle; null where no cycle follows the drawing, or none can grind the part.
+    [[nodiscard]] const StartingCycle* followingCycle() const;
 
     /// Returns the project as it last was under an operation, as far as undo reaches; null: it
     /// never was.
@@ -120,7 +128,9 @@ public:
     /// with "/surfaces/N".
     [[nodiscard]] std::vector<std::string> allOpenInputs() const;
     [[nodiscard]] bool isOpen(const std::string& path) const;
-    [[nodiscard]] Issues missingInputs() const; ///< a fault for each open input
+    /// Returns a fault for each open input and, of a project whose cycle was made for its drawing
+    /// and that has no file yet, for what the machine does not take.
+    [[nodiscard]] Issues newFaults() const;
     /// Marks a number as still to be entered, as it was before the edits that a further one would
     /// join.
     void withdraw(const std::string& path, EditText text);
@@ -163,7 +173,12 @@ private:
     [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
     [[nodiscard]] bool isStarting(const Project& changed,
                                   const std::vector<std::string>& open) const;
+    [[nodiscard]] bool hasWheelAsMade(const Project& changed) const;
     [[nodiscard]] bool hasBatchAsMade(const Project& changed) const;
+    [[nodiscard]] std::vector<FactorKind> moveLawsOf(Project& changed, const SurfaceState& present,
+                                                     const QString& mergeKey) const;
+    void moveLawsOfOthers(SetupState& after, const QString& mergeKey) const;
+    [[nodiscard]] const SurfaceState* beforeJoined(int surface, const QString& mergeKey) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
     /// Makes an edit; returns false if the gate refuses it.
     bool push(SetupState after, EditText text, const QString& mergeKey);
@@ -175,13 +190,14 @@ private:
     Project m_project; ///< current project, with its runs
     Project m_begun;   ///< project as started, with the substitutes for open inputs
     /// Project made for the complete drawing: its cycle, and the search about it, follow the
-    /// drawing as long as nothing else is edited.
-    std::optional<Project> m_started;
+    /// drawing as long as nothing else is edited. Without a usual depth it has no starting cycle.
+    std::optional<StartingCycle> m_started;
     QString m_filePath;
     QByteArray m_diskHash;
     bool m_readOnly = false;
     std::vector<std::pair<std::string, std::string>>
-        m_exampleNames; ///< titles and surfaces as shipped
+        m_exampleNames;                  ///< titles and surfaces as shipped
+    std::vector<FactorKind> m_movedLaws; ///< by the last edit
     std::function<bool(const SetupState& after)> m_gate;
     bool m_isKeptElsewhere = false;
     QUndoStack m_history;

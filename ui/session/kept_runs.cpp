@@ -138,7 +138,7 @@ bool KeptRuns::restore(int index) {
         }
     }
     m_document.endMerge();
-    m_document.edit(std::move(project), restoreText);
+    m_document.edit(std::move(project), restoreText, {}, Document::Laws::stay);
     return true;
 }
 

@@ -4,7 +4,9 @@
 #include "core/project/validate.h"
 #include "core/quality/roughness.h"
 #include "core/setup/worn_project.h"
+#include "core/study/batch_edits.h"
 #include "core/units.h"
+#include "ui/session/studies.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,6 +24,7 @@ SurfaceStatus statusFrom(const SimulationResult& result,
     status.time_s = result.time_s;
     status.requirements = worstByKind(constraints);
     status.isRoughnessEstimate = !isRoughnessCalibrated(result.project);
+    status.isBatchComing = result.project.batch && isBatchQuick(result);
     status.removed = removed;
     return status;
 }
@@ -69,44 +72,114 @@ void PartRuns::setJudged(const JudgedRun& judged) {
                 removedMetal(outcome.result.project, outcome.shop.cycle.removedVolume_mm3));
             status.judgement = judged.judgement;
             status.areStocksComing = judged.areStocksComing;
+            status.isBatchComing = judged.isBatchComing;
         }
         m_statuses = {std::move(status)};
         emit changed();
         return;
     }
+    m_isFrontComing = judged.areStocksComing || judged.isBatchComing;
     const std::size_t surface = m_document.surface();
-    if (!outcome.ran() || !judged.judgement.batch || surface >= m_statuses.size()) {
-        return;
-    }
-    m_frontOf = m_document.state().surfaces[surface];
-    m_front = judged.judgement;
-    takeFront(surface, m_statuses[surface]);
-    for (Known& each : m_known) { // remains when the current surface changes
-        if (each.surface == m_frontOf && !m_document.state().wear.isGiven()) {
-            takeFront(surface, each.status);
+    if (outcome.ran() && judged.judgement.batch && !judged.areStocksComing
+        && surface < m_statuses.size()) {
+        m_front = judged.judgement;
+        if (m_statuses[surface].ran()) {
+            take(surface, shownRun(surface));
         }
     }
-    emit changed();
+    runNextBatch();
 }
 
 /// More may be known about the current surface.
 void PartRuns::takeFront(std::size_t surface, SurfaceStatus& status) const {
-    if (status.ran() && m_document.state().surfaces[surface] == m_frontOf) {
-        status.judgement = m_front;
+    if (status.ran() && m_front && surface == m_document.surface()) {
+        status.judgement = *m_front;
         status.areStocksComing = false;
+        status.isBatchComing = status.isBatchComing && !m_front->batch->isWhole;
     }
 }
 
-std::optional<SurfaceRun> PartRuns::runOf(const SetupState& state, const Known& wanted,
-                                          const std::stop_token& stop) {
+void PartRuns::judgeBatches(bool isOn) {
+    m_judgesBatches = isOn;
+    if (isOn) {
+        runNextBatch();
+    } else {
+        m_batchJob.drop();
+    }
+}
+
+/// That of the current surface is run by CycleJudge; a batch does not change a surface that is
+/// unfit already.
+void PartRuns::runNextBatch() {
+    if (!m_judgesBatches || m_running || m_isFrontComing || m_batchJob.running()) {
+        return;
+    }
+    for (std::size_t i = 0; i < m_statuses.size(); ++i) {
+        const SurfaceStatus& status = m_statuses[i];
+        if (i != m_document.surface() && status.isBatchComing && status.holds()) {
+            const Known run = shownRun(i);
+            m_batchJob.start(
+                0, [run](const Job::Means& means) { return batchOf(wornBefore(run), means); },
+                [this, i, run](const BatchOutcomePtr& batch) {
+                    takeBatch(i, run, batch);
+                    runNextBatch();
+                });
+            return;
+        }
+    }
+}
+
+void PartRuns::takeStudy(const SurfaceStudyPtr& study) {
+    const std::size_t surface = study->surface;
+    if (!study->batch || surface >= m_statuses.size() || !m_statuses[surface].ran()) {
+        return;
+    }
+    const std::optional<JudgedBatch>& before = m_statuses[surface].judgement.batch;
+    Known run = shownRun(surface);
+    if (!(before && before->isWhole) && sameBatch(study->batch->result.project, wornBefore(run))) {
+        takeBatch(surface, std::move(run), study->batch);
+    }
+}
+
+/// A batch that is refused stays not run.
+void PartRuns::takeBatch(std::size_t surface, Known run, const BatchOutcomePtr& batch) {
+    run.status.isBatchComing = false;
+    if (batch && batch->ran() && batch->summary.parts > 0) {
+        run.status.judgement =
+            judgedWith(std::move(run.status.judgement), judgeBatch(batch->result, batch->summary));
+    }
+    take(surface, std::move(run));
+}
+
+PartRuns::Known PartRuns::wantedRun(const SetupState& state, std::size_t surface,
+                                    const RemovedMetal& removed) {
+    return {
+        state.surfaces[surface], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
+}
+
+PartRuns::Known PartRuns::shownRun(std::size_t surface) const {
+    RemovedMetal removed;
+    for (std::size_t i = 0; i < surface; ++i) {
+        removed += m_statuses[i].removed;
+    }
+    Known run = wantedRun(m_document.state(), surface, removed);
+    run.status = m_statuses[surface];
+    return run;
+}
+
+Project PartRuns::wornBefore(const Known& run) {
     Setup one;
-    one.surfaces.push_back({{}, wanted.surface->project});
-    one.wear = state.wear;
-    const WornProject worn = wornProject(one, 0, wanted.removedBefore);
-    if (!wanted.surface->open.empty() || hasErrors(validate(worn.project))) {
+    one.surfaces.push_back({{}, run.surface->project});
+    one.wear = run.wear;
+    return wornProject(one, 0, run.removedBefore).project;
+}
+
+std::optional<SurfaceRun> PartRuns::runOf(const Known& wanted, const std::stop_token& stop) {
+    const Project worn = wornBefore(wanted);
+    if (!wanted.surface->open.empty() || hasErrors(validate(worn))) {
         return std::nullopt;
     }
-    return runSurface({}, worn.project, stop);
+    return runSurface({}, worn, stop);
 }
 
 /// Shows the known results; true if they are complete.
@@ -116,13 +189,11 @@ bool PartRuns::takeKnown() {
     RemovedMetal removed;
     bool isAll = true;
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
-        const Known run{
-            state.surfaces[i], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
+        const Known run = wantedRun(state, i, removed);
         const auto found =
             std::ranges::find_if(m_known, [&run](const Known& each) { return each.isOf(run); });
         if (found != m_known.end()) {
             m_statuses[i] = found->status;
-            takeFront(i, m_statuses[i]);
             removed += found->status.removed;
         }
         isAll = isAll && found != m_known.end() && !found->status.areStocksComing;
@@ -135,6 +206,9 @@ bool PartRuns::takeKnown() {
 
 /// With wear, surfaces after a refused one are not run.
 void PartRuns::follow() {
+    m_batchJob.drop();
+    m_front.reset();
+    m_isFrontComing = true;
     m_running = m_document.surfaceCount() > 1 && !takeKnown();
     if (m_document.surfaceCount() == 1) {
         m_statuses.assign(1, {});
@@ -149,13 +223,12 @@ void PartRuns::follow() {
         RemovedMetal removed;
         std::vector<Fresh> fresh;
         for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
-            Known wanted{
-                state.surfaces[i], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
+            Known wanted = wantedRun(state, i, removed);
             const auto found = std::ranges::find_if(
                 known, [&wanted](const Known& each) { return each.isOf(wanted); });
             if (found != known.end() && !found->status.areStocksComing) {
                 wanted.status = found->status;
-            } else if (std::optional<SurfaceRun> run = runOf(state, wanted, stop)) {
+            } else if (std::optional<SurfaceRun> run = runOf(wanted, stop)) {
                 wanted.status = statusFrom(run->result, run->constraints, run->removed());
                 wanted.status.areStocksComing = true;
                 fresh.push_back({i, wanted, *std::move(run)});
@@ -184,14 +257,15 @@ void PartRuns::follow() {
         post([this] {
             m_running = false;
             emit changed();
+            runNextBatch();
         });
     });
     emit changed();
 }
 
 void PartRuns::take(std::size_t surface, Known run) {
+    takeFront(surface, run.status); // it remains when the current surface changes
     m_statuses[surface] = run.status;
-    takeFront(surface, m_statuses[surface]);
     std::erase_if(m_known, [&](const Known& each) {
         const bool isGone = std::ranges::find(m_document.state().surfaces, each.surface)
                             == m_document.state().surfaces.end();

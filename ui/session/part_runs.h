@@ -8,7 +8,9 @@
 #include "core/setup/wheel_wear.h"
 #include "ui/session/cycle_judge.h"
 #include "ui/session/document.h"
+#include "ui/session/job.h"
 #include "ui/session/newest_job.h"
+#include "ui/session/part_study.h"
 
 #include <QObject>
 
@@ -28,6 +30,7 @@ struct SurfaceStatus {
     State state = State::notRun;
     Judgement judgement;          ///< judgement of the cycle, if it was run
     bool areStocksComing = false; ///< the stocks are being decided
+    bool isBatchComing = false;   ///< the batch is quick, and has not been run yet
     double time_s = 0;
     std::vector<ConstraintResult> requirements{}; ///< worst requirement of each kind
     bool isRoughnessEstimate = false;             ///< Ra is not calibrated
@@ -42,6 +45,7 @@ struct SurfaceStatus {
 
 /// Runs all surfaces of a document after every edit, in another thread and in their order, each
 /// with the wheel in the state left by the earlier ones, and then decides on the stocks of each.
+/// Once the surface in front is judged, the quick batches of the others are run, one at a time.
 /// Surfaces that an edit does not affect are not run again.
 class PartRuns : public QObject {
     Q_OBJECT
@@ -58,6 +62,9 @@ public:
     /// Takes the judgement of the current surface: in a set-up with one surface it is not run a
     /// second time, in others its judgement is used, which may include a batch.
     void setJudged(const JudgedRun& judged);
+    void judgeBatches(bool isOn); ///< sets whether batches are run; in a lesson they are not
+    /// Takes a batch that was run for the whole part, if it is that of the current inputs.
+    void takeStudy(const SurfaceStudyPtr& study);
 
 signals:
     void changed();
@@ -84,17 +91,25 @@ private:
     [[nodiscard]] bool takeKnown();
     void take(std::size_t surface, Known run);
     void takeFront(std::size_t surface, SurfaceStatus& status) const;
+    void takeBatch(std::size_t surface, Known run, const BatchOutcomePtr& batch);
+    void runNextBatch();
+    [[nodiscard]] Known shownRun(std::size_t surface) const; ///< the run behind its status
+    /// Returns a surface that is to be run after the earlier ones have removed this metal.
+    static Known wantedRun(const SetupState& state, std::size_t surface,
+                           const RemovedMetal& removed);
+    static Project wornBefore(const Known& run); ///< the project that it is a run of
     /// Runs a surface; returns nothing where the inputs are refused.
-    static std::optional<SurfaceRun> runOf(const SetupState& state, const Known& wanted,
-                                           const std::stop_token& stop);
+    static std::optional<SurfaceRun> runOf(const Known& wanted, const std::stop_token& stop);
 
     Document& m_document;
     std::vector<SurfaceStatus> m_statuses;
     KnownList m_known;
-    SurfaceStatePtr m_frontOf; ///< surface to which the judgement belongs
-    Judgement m_front;
+    std::optional<Judgement> m_front; ///< judgement of the current surface, with its batch
+    bool m_isFrontComing = false;     ///< the current surface is still being judged
+    bool m_judgesBatches = true;
     bool m_running = false;
-    NewestJob m_job; ///< last: stopped before the members that it uses are destroyed
+    NewestJob m_job; ///< the last two: stopped before the members that they use are destroyed
+    Job m_batchJob;
 };
 
 } // namespace sparkout

@@ -26,14 +26,14 @@ void RunController::request(Project project) {
     request(plainSetup(std::move(project)));
 }
 
-void RunController::request(Setup upTo, Issues missing) {
+void RunController::request(Setup upTo, Issues faults) {
     m_running = true;
     emit started();
-    m_job.start([this, snapshot = std::move(upTo), missing = std::move(missing)](
+    m_job.start([this, snapshot = std::move(upTo), faults = std::move(faults)](
                     const std::stop_token& stop, const NewestJob::Post& post) {
         QElapsedTimer clock;
         clock.start();
-        const OutcomePtr outcome = outcomeOf(snapshot, missing, stop);
+        const OutcomePtr outcome = outcomeOf(snapshot, faults, stop);
         const double time_ms = double(clock.nsecsElapsed()) * 1e-6;
         if (!outcome) {
             return;
@@ -62,11 +62,11 @@ void RunController::request(Setup upTo, Issues missing) {
     });
 }
 
-OutcomePtr RunController::outcomeOf(const Setup& upTo, const Issues& missing,
+OutcomePtr RunController::outcomeOf(const Setup& upTo, const Issues& faults,
                                     const std::stop_token& stop) const {
     auto refused = std::make_shared<Outcome>();
-    refused->issues = missing;
-    if (missing.empty()) {
+    refused->issues = faults;
+    if (faults.empty()) {
         const std::size_t last = upTo.surfaces.size() - 1;
         WornProject worn = wornProject(upTo, last, stop, &m_removed);
         if (worn.surface == last) {

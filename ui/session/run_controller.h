@@ -28,12 +28,12 @@ public:
     explicit RunController(QObject* parent = nullptr, Runner runner = evaluate);
 
     /// Runs the last of these surfaces, with the wheel in the state left by the earlier ones. With
-    /// missing numbers the project is not run, and they are the issues of the outcome.
-    void request(Setup upTo, Issues missing = {});
+    /// faults, as missing numbers, the project is not run, and they are the issues of the outcome.
+    void request(Setup upTo, Issues faults = {});
     void request(Project project); ///< runs the project of a single surface
     void stop();                   ///< stops the run and discards its outcome
     /// Returns the outcome of request(), computed in the calling thread.
-    [[nodiscard]] OutcomePtr outcomeOf(const Setup& upTo, const Issues& missing,
+    [[nodiscard]] OutcomePtr outcomeOf(const Setup& upTo, const Issues& faults,
                                        const std::stop_token& stop = {}) const;
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }

@@ -155,7 +155,7 @@ std::optional<FileError> SettingsFile::flush() {
             return FileError{systemText(m_path), FileStep::content, 0, {}};
         }
         error = writeFileSafely(systemPath(m_path), {text.constData(), std::size_t(text.size())},
-                                {.expected = content->sha256});
+                                {.keepBackup = true, .expected = content->sha256});
         if (!error) {
             m_changed.clear();
             return {};

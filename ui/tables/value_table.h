@@ -47,6 +47,7 @@ struct ValueHead {
     const char* key = "";  ///< of the output that it is of, or a column's own
     bool isText = false;   ///< for a column: its cells are words, aligned left
     bool isStrong = false; ///< for a row: bold
+    bool isPlain = false;  ///< for a column: not bold in a bold row
     bool isGroup = false;  ///< for a row: a heading of those below, neither selected nor copied
 
     [[nodiscard]] const QString& fullName() const { return name.isEmpty() ? text : name; }

@@ -14,6 +14,10 @@ QString JudgementText::headline(const Judgement& judgement) {
     return QString::fromStdString(JudgementText().JudgementWording::headline(judgement));
 }
 
+QString JudgementText::exceptions(const std::vector<Undecided>& undecided) {
+    return QString::fromStdString(JudgementText().JudgementWording::exceptions(undecided));
+}
+
 QString JudgementText::stocks(const Judgement& judgement, bool areComing) {
     return QString::fromStdString(JudgementText().JudgementWording::stocks(judgement, areComing));
 }

@@ -12,6 +12,7 @@ namespace sparkout {
 class JudgementText : public JudgementWording {
 public:
     [[nodiscard]] static QString headline(const Judgement& judgement);
+    [[nodiscard]] static QString exceptions(const std::vector<Undecided>& undecided);
     [[nodiscard]] static QString stocks(const Judgement& judgement, bool areComing = false);
     [[nodiscard]] static QString batch(const Judgement& judgement, bool isComing = false);
     /// A line for the stocks, one for the batch if there is one, and one for each undecided

@@ -37,14 +37,6 @@ QString withoutZeros(QString text) {
     return text;
 }
 
-QString times(double ratio) {
-    int digits = 2;
-    while (digits < 6 && ratio != 1 && std::abs(ratio - 1) < std::pow(10, 1 - digits)) {
-        ++digits; // adds digits until a value beyond or short of the end differs from it
-    }
-    return withoutZeros(Names::significant(ratio, digits));
-}
-
 } // namespace
 
 QString Names::zone(Zone zone, int section) {
@@ -192,8 +184,8 @@ QString Names::limit(const ConstraintResult& c) {
 
 QString Names::margin(const ConstraintResult& c) {
     if (isRange(c.kind)) {
-        return c.limit > 0 && c.value > 0
-                   ? times(c.isLeast ? c.value / c.limit : c.limit / c.value) + u'×'
+        const std::optional<double> ratio = ratioInRange(c);
+        return ratio     ? withoutZeros(significant(*ratio, digitsOfRatio(*ratio))) + u'×'
                : c.holds ? tr("in range")
                          : tr("out of range");
     }
@@ -214,12 +206,10 @@ QString Names::value(const ConstraintResult& c) {
     if (c.mostValue) {
         return estimate(c.value, *c.mostValue);
     }
-    if (isLowerBound(c)) { // what the process alone leaves: never a bare 0.00
-        return marginKnown(c) == MarginKnown::atMost
-                   ? QStringLiteral("≥ ") + amount(c.kind, c.value, false)
-                   : QStringLiteral("–");
-    }
     const Requirement& row = requirementOf(c.kind);
+    if (isLowerBound(c)) {
+        return formAmount(c.value, false, row.digits.shown);
+    }
     return row.isDeviation || row.digits.shown <= 0 ? amount(c.kind, c.value, row.isDeviation)
                                                     : amountFixed(c.value, row.digits.shown);
 }
@@ -241,6 +231,13 @@ QString Names::uncutStrips(const Project& project) {
 
 QString Names::ofMachine(const QString& quantity, bool isKnown) {
     return isKnown ? quantity : tr("%1, machine not known", "the form it prints").arg(quantity);
+}
+
+QString Names::formAmount(double value, bool isKnown, int decimals) {
+    return isKnown ? amountFixed(value, decimals)
+           : value < 0.5 * std::pow(10.0, -decimals)
+               ? QStringLiteral("–")
+               : QStringLiteral("≥ ") + fixed(value, decimals);
 }
 
 QString Names::issue(const Issue& issue) {

@@ -42,10 +42,10 @@
 #include "ui/window/dialogs/company_dialog.h"
 #include "ui/window/dialogs/export_dialog.h"
 #include "ui/window/dialogs/title_page_dialog.h"
+#include "ui/window/edit_notices.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
 #include "ui/window/lesson_wiring.h"
-#include "ui/window/operation_notice.h"
 #include "ui/window/part_commands.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"
@@ -318,6 +318,7 @@ void MainWindow::showWholePart() {
         m_partWindow = new PartWindow(
             m_document, *m_partRuns, [this] { return m_optimise->ticks(); }, this);
         connect(m_partWindow, &PartWindow::surfaceWanted, m_part, &PartCommands::show);
+        connect(&m_partWindow->study(), &PartStudy::surfaceDone, m_partRuns, &PartRuns::takeStudy);
     }
     m_partWindow->show();
     m_partWindow->raise();
@@ -368,8 +369,8 @@ void MainWindow::connectReports() {
     const auto outcomeOfNow = [this] {
         OutcomePtr outcome = m_outcome;
         if (m_runs.running()) { // it belongs to the previous inputs
-            runAside([&, upTo = m_document.upToPresent(), missing = m_document.missingInputs()] {
-                outcome = m_runs.outcomeOf(upTo, missing);
+            runAside([&, upTo = m_document.upToPresent(), faults = m_document.newFaults()] {
+                outcome = m_runs.outcomeOf(upTo, faults);
             });
         }
         return outcome;
@@ -495,8 +496,9 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
     connect(&m_document, &Document::edited, this, [this](const Project& before) {
         showOperationNotice(m_files->notices(), before, m_document.project());
+        showLawsNotice(m_files->notices(), m_document.movedLaws());
     });
-    const auto drop = [this] { dropOperationNotice(m_files->notices()); };
+    const auto drop = [this] { dropEditNotices(m_files->notices()); };
     connect(&m_document, &Document::projectReplaced, this, drop);
     connect(&m_document, &Document::projectReplaced, this, [this] {
         for (View* view : views()) {
@@ -584,6 +586,7 @@ void MainWindow::connectLesson() {
             m_partWindow->hide();
         }
         m_judge->judgeBatches(!m_lesson->isRunning()); // its steps may ask to predict them
+        m_partRuns->judgeBatches(!m_lesson->isRunning());
         m_strip->tellResults(!m_lesson->isCovered()
                              && !m_lesson->hidden().isHidden(Hideable::verdict));
         m_actions->follow(m_document, !m_inputs->refusals().empty());
@@ -608,7 +611,7 @@ void MainWindow::connectLesson() {
 /// Runs nothing while a prediction is awaited, so that no result can be seen.
 void MainWindow::requestRun() {
     if (!m_lesson->isCovered()) {
-        m_runs.request(m_document.upToPresent(), m_document.missingInputs());
+        m_runs.request(m_document.upToPresent(), m_document.newFaults());
         return;
     }
     m_runs.stop();

@@ -8,6 +8,7 @@
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
+#include "ui/kit/name_dialog.h"
 #include "ui/part/add_surface_dialog.h"
 #include "ui/part/dressing_dialog.h"
 #include "ui/part/part_text.h"
@@ -16,10 +17,8 @@
 
 #include <QCoreApplication>
 #include <QDialog>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScrollArea>
 #include <QStyle>
 #include <QTimer>
@@ -102,46 +101,6 @@ void TimesDialog::follow() {
     m_apply->setEnabled(StructForm::refusals(*this).empty());
 }
 
-/// Asks for a unique name of a surface.
-class NameDialog : public QDialog {
-    Q_DECLARE_TR_FUNCTIONS(sparkout::NameDialog)
-
-public:
-    NameDialog(const QString& name, std::function<bool(const QString&)> isFree,
-               QWidget* parent = nullptr);
-
-    [[nodiscard]] QString name() const;
-
-private:
-    QLineEdit* m_name;
-};
-
-NameDialog::NameDialog(const QString& name, std::function<bool(const QString&)> isFree,
-                       QWidget* parent)
-    : QDialog(parent), m_name(new QLineEdit(name, this)) {
-    setWindowTitle(tr("Rename the surface"));
-    setHelpTopic(*this, QStringLiteral("surfaces"));
-    m_name->setObjectName(QStringLiteral("surfaceName"));
-    m_name->setAccessibleName(tr("Name"));
-    m_name->selectAll();
-    setTextMinimumWidth(*m_name, 260);
-    auto* buttons = new AnswerButtons(tr("&Rename"), tr("&Cancel"), this);
-    auto* take = buttons->acceptButton();
-    connect(m_name, &QLineEdit::textChanged, take,
-            [take, isFree = std::move(isFree)](const QString& text) {
-                take->setEnabled(isFree(text));
-                take->setToolTip(take->isEnabled() ? QString()
-                                                   : tr("Each surface has a name of its own."));
-            });
-    auto* form = new QFormLayout(this);
-    form->addRow(tr("Name"), m_name);
-    form->addRow(buttons);
-}
-
-QString NameDialog::name() const {
-    return m_name->text().simplified();
-}
-
 } // namespace
 
 PartCommands::PartCommands(Document& document, const PartRuns& runs, std::function<bool()> mayLeave,
@@ -202,10 +161,14 @@ void PartCommands::addAsked(std::optional<std::size_t> step, bool isDuplicate) {
 
 void PartCommands::rename() {
     const std::size_t surface = m_document.surface();
-    const auto isFree = [this, surface](const QString& name) {
-        return m_edits.isFreeName(name, surface);
-    };
-    NameDialog dialog(SurfaceEdits::nameOf(m_document.state(), surface), isFree, m_window);
+    NameDialog dialog(
+        tr("Rename the surface"), tr("&Rename"), SurfaceEdits::nameOf(m_document.state(), surface),
+        [this, surface](const QString& name) -> NameDialog::Answer {
+            const bool isFree = m_edits.isFreeName(name, surface);
+            return {isFree ? QString() : tr("Each surface has a name of its own."), isFree};
+        },
+        m_window);
+    setHelpTopic(dialog, QStringLiteral("surfaces"));
     if (dialog.exec() == QDialog::Accepted) {
         m_edits.rename(surface, dialog.name());
     }

@@ -330,6 +330,7 @@ private slots:
         QVERIFY(find(rows, MeasuredQuantity::radial_runout)->predicted);
         QVERIFY(find(rows, MeasuredQuantity::cylindricity)->predicted);
         QVERIFY(speaksForModel(rows));
+        QVERIFY(!greatestBias(project, rows));
         project.measured.emplace() = measuredAs(batch, 100);
         const std::vector<AdequacyRow> shifted = judgeAdequacy(project, batch);
         QVERIFY(find(shifted, MeasuredQuantity::diameter_deviation)->verdict
@@ -337,6 +338,25 @@ private slots:
         QVERIFY(std::abs(find(shifted, MeasuredQuantity::diameter_deviation)->bias95->low - 100)
                 < 5);
         QVERIFY(!speaksForModel(shifted));
+        const std::optional<MeasuredBias> bias = greatestBias(project, shifted);
+        QVERIFY(bias && bias->kind == ConstraintKind::diameterMin && bias->section == 0);
+        QVERIFY(std::abs(bias->bias_um - 100) < 5);
+    }
+
+    /// An Ra that is not calibrated is predicted as a range, a form without the machine's own as a
+    /// part of it.
+    void onlyAWholePredictionHasABias() {
+        Project project = scattering();
+        AdequacyRow row = judgeAdequacy(normalValues(7, 50, 4, 1), standard, limits);
+        QVERIFY(row.verdict == AdequacyVerdict::biased);
+        QVERIFY(greatestBias(project, {row}));
+        row.measured.quantity = MeasuredQuantity::roughness_ra;
+        QVERIFY(!greatestBias(project, {row}));
+        project.wheel->roughness_factor = 2;
+        QVERIFY(greatestBias(project, {row}));
+        row.measured.quantity = MeasuredQuantity::roundness;
+        QCOMPARE(greatestBias(project, {row}).has_value(),
+                 knowsMachine(ConstraintKind::roundness, project));
     }
 
     void placesThatAreGoneAreLeftOut() {

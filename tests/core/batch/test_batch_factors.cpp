@@ -2,6 +2,7 @@
 // The laws a factor may follow, what it stands for, and where feeding starts in a batch.
 #include "core/batch/batch_run.h"
 #include "core/batch/factor_law.h"
+#include "core/batch/usual_batch.h"
 #include "core/format/blanks_csv.h"
 #include "core/process/system_compliance.h"
 
@@ -94,6 +95,26 @@ private slots:
     }
 
     /// Whatever the compliance comes from, each of its terms is as many times as large.
+    /// A quarter of IT10 of the diameter before grinding in each direction: 100 µm from 30 to 50
+    /// mm, 120 µm up to 80 mm.
+    void usualStockScattersAsTurningLeavesIt() {
+        Project project = fixtures::plunge();
+        const auto usual = [&project](double diameter_mm, double stock_mm) {
+            project.part->diameter_mm = diameter_mm;
+            project.part->stock_mm = stock_mm;
+            return *usualFactor(FactorKind::stock, project).uniform;
+        };
+        using Ends = std::vector<double>;
+        QCOMPARE(usual(40, 0.15), (Ends{0.125, 0.175}));
+        QCOMPARE(usual(49.8, 0.15), (Ends{0.12, 0.18})); // 50.1 mm when turned
+        project.part->surface = Surface::internal;
+        QCOMPARE(usual(50.2, 0.15), (Ends{0.125, 0.175})); // 49.9 mm
+        project.part->surface = Surface::external;
+        QCOMPARE(usual(40, 0.05), (Ends{0.033, 0.067})); // a third of a small stock
+        QCOMPARE(usual(40, 0.5), (Ends{0.465, 0.535}));  // 7 % of a large one
+        QCOMPARE(usual(600, 0.5), (Ends{0.465, 0.535})); // beyond the standard's sizes
+    }
+
     void aFactorOfTheComplianceMultipliesAllOfIt() {
         const Project project = fixtures::steppedTraverse();
         Project softer = project;

@@ -153,6 +153,7 @@ private slots:
         QCOMPARE(rangeText({-infinity, 5}, "mm"), std::string("≤ 5 mm"));
         QCOMPARE(rangeText({0, 5, true}, "mm"), std::string("> 0…5 mm"));
         QCOMPARE(rangeText({0, 5}, ""), std::string("0…5"));
+        QCOMPARE(rangeText({305, 305}, "mm"), std::string("305 mm"));
     }
 
     /// The limits themselves, apart from the table and the page that is made of it.

@@ -125,10 +125,25 @@ MeasuredTrace recorded(TraceQuantity quantity, const Record& cycle, const Distur
     return made;
 }
 
+/// Whether a refused fit says by what: a time left out, residuals beyond noise, a factor beyond the
+/// search, an input that would be refused, or what the data cannot tell.
+bool namesItsCause(const Identification& found) {
+    const auto isLacking = [](const FitResiduals& group) { return group.lack.isLacking(); };
+    const auto isBeyond = [](const FittedValue& value) {
+        return actsOnDepths(value.parameter.kind)
+               && std::abs(std::log(value.value)) > std::log(mostSearchedFactor);
+    };
+    return !found.outOfStep.empty() || !found.unidentified.empty() || hasErrors(found.issues)
+           || std::ranges::any_of(found.residuals, isLacking)
+           || std::ranges::any_of(found.values, isBeyond);
+}
+
 /// What the sets of one disturbance came to.
 struct Count {
     int answers = 0, held = 0; ///< α and β each
-    int lacking = 0, untold = 0, leftOut = 0, far = 0, sets = 0;
+    int lacking = 0, untold = 0, far = 0, sets = 0;
+    int leftOut = 0;     ///< of the lacking ones, those that name a time, lag or drift
+    int unnamed = 0;     ///< of the lacking and untold ones, those that name no cause
     std::string farOnes; ///< their seeds
 };
 
@@ -173,11 +188,11 @@ class TestFitCoverage : public QObject {
         ++count.sets;
         count.lacking += found.status == IdentificationStatus::doesNotFit;
         count.untold += found.status == IdentificationStatus::cannotTell;
+        count.leftOut += !found.outOfStep.empty();
         if (found.status != IdentificationStatus::fitted) {
-            return;
-        }
-        if (!found.outOfStep.empty()) { // an answer that says that it is wrong, and by what
-            ++count.leftOut;
+            const bool names = found.status == IdentificationStatus::doesNotFit
+                               || found.status == IdentificationStatus::cannotTell;
+            count.unnamed += names && !namesItsCause(found);
             return;
         }
         for (const FittedValue& value : found.values) {
@@ -280,9 +295,10 @@ private slots:
             const Disturbance& how = disturbances[chosen[at]];
             const Count& count = counts[at];
             qInfo("%-20s α and β held in %2d of %2d answers; of %d sets %d do not fit, %d cannot "
-                  "tell, %d name what was left out; %d off by more than five errors%s",
+                  "tell, %d name what was left out, %d name nothing; %d off by more than five "
+                  "errors%s",
                   how.name, count.held, count.answers, count.sets, count.lacking, count.untold,
-                  count.leftOut, count.far, count.farOnes.c_str());
+                  count.leftOut, count.unnamed, count.far, count.farOnes.c_str());
             for (Count* const sum : {&all, how.isUndisturbed ? &undisturbed : nullptr}) {
                 if (sum) {
                     sum->answers += count.answers;
@@ -290,6 +306,7 @@ private slots:
                     sum->lacking += count.lacking;
                     sum->sets += count.sets;
                     sum->far += count.far;
+                    sum->unnamed += count.unnamed;
                 }
             }
         }
@@ -298,6 +315,7 @@ private slots:
               all.held, all.answers, all.far, undisturbed.sets, undisturbed.lacking);
         QVERIFY(all.answers > 0);
         QCOMPARE(all.far, 0);
+        QCOMPARE(all.unnamed, 0);
         QVERIFY(clopperPearson(all.held, all.answers, 0.95).high >= 0.93);
         QVERIFY(clopperPearson(undisturbed.lacking, undisturbed.sets, 0.95).low <= 0.05);
     }

@@ -128,6 +128,37 @@ private slots:
                 == Unlike::other);
     }
 
+    /// Far beyond all others, and alone: not an outlier within their range, nor several in a row,
+    /// nor what the model predicts.
+    void whatIsOverRangeIsTold() {
+        constexpr std::size_t count = 200;
+        std::vector<double> predicted;
+        for (std::size_t i = 0; i < count; ++i) {
+            predicted.push_back(0.4 * std::exp(-static_cast<double>(i) / 30));
+        }
+        const auto found = [&](const std::vector<std::pair<std::size_t, double>>& changed,
+                               bool arePredicted = false) {
+            std::vector<double> values = noiseOf({.white = 1e-8}, count, 5), residuals = values;
+            for (std::size_t i = 0; i < count; ++i) {
+                values[i] += predicted[i];
+            }
+            for (const auto& [i, value] : changed) {
+                residuals[i] = arePredicted ? residuals[i] : value - predicted[i];
+                values[i] = value;
+            }
+            return overRange(values, residuals);
+        };
+        using Indices = std::vector<std::size_t>;
+        QCOMPARE(found({}), Indices());
+        QCOMPARE(found({{50, 9.999}, {120, -9.999}}), (Indices{50, 120}));
+        QCOMPARE(found({{0, 9.999}, {199, 9.999}}), (Indices{0, 199}));
+        QCOMPARE(found({{50, 0.5}}), Indices());
+        QCOMPARE(found({{50, 9.999}, {51, 9.999}, {52, 9.999}}), Indices());
+        QCOMPARE(found({{50, 9.999}}, true), Indices());
+        QCOMPARE(overRange(std::vector<double>{1, 2, 90}, std::vector<double>{0, 0, 88}),
+                 Indices());
+    }
+
     /// An exponential gauge lags behind a ramp by r·τ·(1 − e^(−t/τ)), and comes to rest.
     void aLaggingGaugeInClosedForm() {
         const std::vector<double> times{0, 2, 3}, values{1, 5, 5};

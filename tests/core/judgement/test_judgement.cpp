@@ -58,6 +58,8 @@ struct Known {
     double nominal = 0.5; ///< relative margin of the part that was run
     std::optional<JudgedStocks> stocks = stocksOf(0, 0.5);
     std::optional<JudgedBatch> batch = batchOf(0);
+    bool hasBatch = false; ///< the project has one
+    std::optional<MeasuredBias> measured{};
     bool asksRoughness = false;
 
     [[nodiscard]] Judgement judged() const {
@@ -66,7 +68,11 @@ struct Known {
         if (asksRoughness) {
             result.project.part->tolerance.roughness_ra_um = 1.25;
         }
-        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch);
+        if (hasBatch) {
+            result.project.batch = Batch{};
+        }
+        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch,
+                     measured);
     }
 };
 
@@ -87,6 +93,9 @@ private slots:
         known.stocks = stocksOf(0, 0.5);
         QCOMPARE(known.judged().state, JudgedState::stocksHold);
         QCOMPARE(headline(known), std::string("Fit for every stock"));
+        known.hasBatch = true;
+        QCOMPARE(known.judged().state, JudgedState::batchNotRun);
+        QCOMPARE(headline(known), std::string("Fit for every stock; batch not run"));
         known.batch = batchOf(0);
         QCOMPARE(known.judged().state, JudgedState::batchHolds);
         QCOMPARE(headline(known), std::string("Fit for the batch: rejected 0 of 50 (≤ 7.1 %)"));
@@ -102,6 +111,10 @@ private slots:
         known.asksRoughness = true;
         QCOMPARE(known.judged().state, JudgedState::undecided);
         QCOMPARE(headline(known), std::string("Met, except roughness Ra: not decided"));
+        known.measured = MeasuredBias{ConstraintKind::diameterMin, Zone::section, 1, -8.2};
+        QCOMPARE(known.judged().state, JudgedState::measuredDiffer);
+        QCOMPARE(headline(known), std::string("Met, but measured parts differ from the prediction: "
+                                              "diameter, section 2, by -8.20 µm"));
         known.batch = batchOf(17);
         QCOMPARE(known.judged().state, JudgedState::batchFails);
         QCOMPARE(headline(known), std::string("Rejects in the batch: 17 of 50 (21…49 %)"));
@@ -132,9 +145,31 @@ private slots:
     void stoppedBatchFailsButDoesNotHold() {
         Known known;
         known.batch->isWhole = false;
-        QCOMPARE(known.judged().state, JudgedState::stocksHold);
+        QCOMPARE(known.judged().state, JudgedState::batchNotRun);
+        QCOMPARE(headline(known), std::string("Fit for every stock; batch run in part"));
         known.batch->bad = 1;
         QCOMPARE(known.judged().state, JudgedState::batchFails);
+    }
+
+    /// Whatever else is known, the state is that of all parts judged together.
+    void batchThatWasRunLaterIsJudgedAlike() {
+        Known known;
+        known.hasBatch = true;
+        for (const double nominal : {0.5, 0.04, -0.1}) {
+            for (const double failingShare : {0.0, 0.34}) {
+                for (const std::int64_t bad : {0, 17}) {
+                    known.nominal = nominal;
+                    known.stocks = stocksOf(failingShare, failingShare > 0 ? -0.1 : nominal);
+                    known.batch = batchOf(bad);
+                    const Judgement together = known.judged();
+                    known.batch.reset();
+                    const Judgement later = judgedWith(known.judged(), batchOf(bad));
+                    QCOMPARE(later.state, together.state);
+                    QCOMPARE(JudgementWording().headline(later),
+                             JudgementWording().headline(together));
+                }
+            }
+        }
     }
 
     void cornersHaveNoInterval() {

@@ -44,6 +44,7 @@ Project example(int stages, std::vector<double> feeds) {
     p.part->radii_per_section = 12;
     p.optimisation->stages = {static_cast<double>(stages)};
     p.optimisation->stock_step_mm = p.part->stock_mm / stages;
+    p.optimisation->non_increasing = false;
     p.optimisation->radial_feed_mm_min = std::move(feeds);
     return p;
 }

@@ -208,15 +208,25 @@ private:
             plunge, {{"/part/lower_deviation_um", 0}});
         row("machine range reversed", IssueCode::outOfRange, "/machine/limits/work_speed_rpm/1",
             traverse, {{"/machine/limits/work_speed_rpm", {300, 50, 1}}});
-        row("part wider than the machine takes", IssueCode::outOfRange, "/part/diameter_mm",
+        row("part wider than the machine takes", IssueCode::machineMisfit, "/part/diameter_mm",
             traverse, {{"/machine/limits/part_diameter_mm", 29}}, warning);
-        row("part longer than the machine takes", IssueCode::outOfRange, "/part/length_mm",
+        row("part longer than the machine takes", IssueCode::machineMisfit, "/part/length_mm",
             traverse, {{"/machine/limits/part_length_mm", 90}}, warning);
-        row("shaft longer than the machine takes", IssueCode::outOfRange, "/part/shaft/segments",
+        row("shaft longer than the machine takes", IssueCode::machineMisfit, "/part/shaft/segments",
             traverse,
             {{"/machine/limits/part_length_mm", 249},
              {"/part/shaft/segments", {{{"length_mm", 250}, {"diameter_mm", 30}}}}},
             warning);
+        row("wheel larger than the machine takes", IssueCode::machineMisfit, "/wheel/diameter_mm",
+            traverse, {{"/machine/limits/wheel_diameter_mm", 499}}, warning);
+        row("wheel narrower than the flanges hold", IssueCode::machineMisfit, "/wheel/width_mm",
+            traverse, {{"/machine/limits/wheel_width_mm", {63, 100}}}, warning);
+        row("wheel of another bore", IssueCode::machineMisfit, "/wheel/marking", traverse,
+            {{"/wheel/marking", "500×50×203 25А F60 L 6 V"},
+             {"/machine/limits/wheel_bore_mm", 305}},
+            warning);
+        row("wheel widths reversed", IssueCode::outOfRange, "/machine/limits/wheel_width_mm/1",
+            traverse, {{"/machine/limits/wheel_width_mm", {100, 63}}});
         row("faster than the wheel may run", IssueCode::outOfRange, "/machine/wheel_speed_m_s",
             plunge, {{"/wheel/max_speed_m_s", 29.9}});
         row("no part left", IssueCode::outOfRange, "/part/lower_deviation_um", plunge,

@@ -27,6 +27,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace sparkout::test_starting_cycle {
@@ -337,15 +338,123 @@ private slots:
         const auto start = *startingProject(drawing, *startingEntries({}, drawing, issues)).start;
         const Machine& machine = *start.project.machine;
         QVERIFY(start.project.operation->travels);
-        QCOMPARE(machine.overrun_entry_mm, 16.7); // a third of 50 mm
+        QCOMPARE(machine.overrun_entry_mm, 21.0); // a third of 63 mm
         QCOMPARE(machine.dwell_entry_s, 0.0);
         QCOMPARE(machine.overrun_exit_mm, 0.0);
         QVERIFY(std::abs(machine.dwell_exit_s * machine.work_speed_rpm / 60 - 1) < 0.01);
     }
 
+    /// 90 mm by a wheel of 63 mm, with one free end: half of the wheel would leave no zone.
+    void shortPartAtAShoulderHasTheLongestOverrun() {
+        auto drawing = *drawingOf(*parseSizeDesignation("48h6"));
+        drawing.operation = Operation::traverse;
+        drawing.length_mm = 90;
+        drawing.stock_mm = 0.2;
+        drawing.ends.freeAtTailstock = false;
+        Issues issues;
+        const auto start = startingProject(drawing, *startingEntries({}, drawing, issues)).start;
+        QVERIFY(start);
+        QCOMPARE(start->project.machine->overrun_entry_mm, 42.0);
+        QCOMPARE(start->project.machine->overrun_exit_mm, 0.0);
+    }
+
+    /// A burn limit and a big area make hardened work slow: the bound is named with its numbers. A
+    /// wide field without Ra is finished as coarse work.
+    void coarseWorkIsBoundByBurningAndFinishedCoarsely() {
+        auto drawing = *drawingOf(*parseSizeDesignation("120e9"));
+        drawing.length_mm = 400;
+        drawing.stock_mm = 0.25;
+        Issues issues;
+        const auto entries = *startingEntries({}, drawing, issues);
+        const StartingCycle coarse = *startingProject(drawing, entries).start;
+        QCOMPARE(coarse.bound, RoughBound::burn);
+        QCOMPARE(coarse.usualDepth_mm, 0.015);
+        QVERIFY(coarse.roughDepth_mm > 0.3 * coarse.usualDepth_mm);
+        drawing.tolerance.roughness_ra_um = 0.8;
+        const StartingCycle middle = *startingProject(drawing, entries).start;
+        QVERIFY(*coarse.project.cycle->stages[1].axial_feed_mm_min
+                > 1.3 * *middle.project.cycle->stages[1].axial_feed_mm_min);
+        QVERIFY(simulate(coarse.project).time_s < 0.95 * simulate(middle.project).time_s);
+    }
+
+    void wheelSuitsMachineLengthMaterialAndRoughness_data() {
+        QTest::addColumn<QString>("machine");
+        QTest::addColumn<QString>("material");
+        QTest::addColumn<double>("ra_um");
+        QTest::addColumn<double>("length_mm");
+        QTest::addColumn<QString>("wheel");
+        const auto row = [](const char* machine, const char* material, double ra_um,
+                            double length_mm, const char* wheel) {
+            QTest::addRow("%s %s Ra %g × %g", machine, material, ra_um, length_mm)
+                << QString::fromUtf8(machine) << QString::fromUtf8(material) << ra_um << length_mm
+                << QString::fromUtf8(wheel);
+        };
+        row("3М151", "40Х", 0.8, 40, "600×63×305 25А F60 L 6 V");
+        row("3М151", "40Х", 3.2, 40, "600×63×305 25А F46 K 6 V");
+        row("3М151", "45", 3.2, 40, "600×63×305 25А F46 M 6 V");
+        row("3М151", "40Х", 0.8, 70, "600×80×305 25А F54 L 6 V");
+        row("3М153", "40Х", 0.8, 40, "500×50×203 25А F60 L 6 V");
+        row("3М153", "40Х", 0.4, 40, "400×40×203 25А F80 K 6 V");
+        row("3У12", "40Х", 0.8, 40, "400×40×203 25А F80 K 6 V");
+        row("3У12", "СЧ20", 0.8, 40, "400×40×203 63С F60 K 6 V");
+        row("3210 CNC", "40Х", 0.8, 40, "500×50×203 25А F60 L 6 V");
+    }
+    void wheelSuitsMachineLengthMaterialAndRoughness() {
+        QFETCH(QString, machine);
+        QFETCH(QString, material);
+        QFETCH(double, ra_um);
+        QFETCH(double, length_mm);
+        QFETCH(QString, wheel);
+        auto drawing = *drawingOf(*parseSizeDesignation("40h6"));
+        drawing.length_mm = length_mm;
+        drawing.tolerance.roughness_ra_um = ra_um;
+        Issues issues;
+        const auto entries =
+            startingEntries({machine.toStdString(), {}, material.toStdString()}, drawing, issues);
+        QVERIFY2(entries, samples::listed(issues).c_str());
+        QCOMPARE(QString::fromStdString(entries->wheel.name), wheel);
+    }
+
+    void everyMachineTakesItsUsualWheel() {
+        for (const MachineEntry& machine : shippedEntries<MachineEntry>()) {
+            auto drawing =
+                *drawingOf(*parseSizeDesignation(isInternalMachine(machine) ? "60H7" : "40h6"));
+            drawing.length_mm = 20;
+            drawing.stock_mm = 0.15;
+            Issues issues;
+            const auto entries = startingEntries({machine.name, {}, {}}, drawing, issues);
+            QVERIFY2(entries, machine.name.c_str());
+            const StartingAnswer answer = startingProject(drawing, *entries);
+            QVERIFY2(answer.start, machine.name.c_str());
+            const Issues refusals = machineRefusals(answer.start->project);
+            QVERIFY2(refusals.empty(), (machine.name + samples::listed(refusals)).c_str());
+        }
+    }
+
+    void whatTheMachineDoesNotTakeIsRefusedWithThoseThatDo() {
+        auto drawing = *drawingOf(*parseSizeDesignation("300h8"));
+        drawing.length_mm = 40;
+        drawing.stock_mm = 0.3;
+        Issues issues;
+        const auto entries = *startingEntries({}, drawing, issues);
+        const Issues refusals = machineRefusals(startingProject(drawing, entries).start->project);
+        QVERIFY(samples::holds(refusals, IssueCode::machineMisfit, "/part/diameter_mm"));
+        QVERIFY(hasErrors(refusals));
+        QCOMPARE(refusals.back().code, IssueCode::otherMachines);
+        QVERIFY(std::get<Keys>(refusals.back().limit).keys == std::vector<std::string>{"3М174"});
+        drawing = *drawingOf(*parseSizeDesignation("40h6"));
+        drawing.length_mm = 40;
+        drawing.stock_mm = 0.15;
+        const auto other = *startingEntries({{}, "500×50×203 25А F60 K", {}}, drawing, issues);
+        const Issues ofWheel = machineRefusals(startingProject(drawing, other).start->project);
+        QVERIFY(samples::holds(ofWheel, IssueCode::machineMisfit, "/wheel/marking"));
+        QVERIFY(samples::holds(ofWheel, IssueCode::machineMisfit, "/wheel/width_mm"));
+        QCOMPARE(ofWheel.size(), std::size_t{2});
+    }
+
     void whatCannotBeGroundIsRefusedByItsField() {
         auto drawing = *drawingOf(*parseSizeDesignation("40h6"));
-        drawing.length_mm = 80; // beside a shoulder neither plunged nor traversed by 50 mm
+        drawing.length_mm = 90; // between shoulders neither plunged nor traversed by 63 or 80 mm
         drawing.stock_mm = 0.15;
         drawing.ends.freeAtTailstock = drawing.ends.freeAtHeadstock = false;
         Issues issues;

@@ -15,21 +15,27 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/operation.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "core/simulation/simulate.h"
 #include "core/starting/starting_project.h"
+#include "core/study/new_project.h"
 #include "core/study/search.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <random>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -74,6 +80,64 @@ int badFresh(const Project& project, int draw) {
         bad += tried(source.project(part), {}).value().holds ? 0 : 1;
     }
     return bad;
+}
+
+/// A shaft of a random drawing with this roughness, with the usual cycle and search; empty where no
+/// cycle can grind it.
+std::optional<Project> drawnShaft(std::mt19937_64& bits, Operation operation, double ra_um) {
+    const auto between = [&bits](double low, double high) {
+        return std::round(low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53);
+    };
+    StartingDrawing drawing;
+    drawing.operation = operation;
+    drawing.diameter_mm = between(15, 100);
+    drawing.lower_deviation_um = -between(10, 70);
+    drawing.length_mm = operation->travels ? between(80, 200) : between(15, 45);
+    drawing.stock_mm = between(10, 30) / 100;
+    drawing.tolerance.roughness_ra_um = ra_um;
+    Issues issues;
+    const auto entries = startingEntries({}, drawing, issues);
+    const StartingAnswer answer = entries ? drawnProject(drawing, *entries) : StartingAnswer();
+    return answer.start ? std::optional(answer.start->project) : std::nullopt;
+}
+
+/// The levels that the second stage may have.
+std::vector<double> finishLevels(const Project& project, const StageFeed& feed) {
+    const Optimisation& search = *project.optimisation;
+    std::vector<double> levels = levelValues(search.*feed.levels);
+    if (const NumberRows& rows = search.*feed.byStage) {
+        const std::vector<double>& bounds = rows->at(1);
+        std::erase_if(levels, [&](double level) { return level < bounds[0] || level > bounds[1]; });
+    }
+    return levels;
+}
+
+/// Whether a feed of finishing has levels, all between these limits to half a step of the machine.
+bool isFinishWithin(const Project& project, const StageFeed& feed, double low, double high) {
+    const auto& range = project.machine->limits.*feed.range;
+    const double slack = (range ? range->back() / 2 : 0) + 1e-9;
+    const std::vector<double> levels = finishLevels(project, feed);
+    return !levels.empty() && levels.front() >= low - slack && levels.back() <= high + slack;
+}
+
+/// Whether finishing is as slow as the roughness of the class, from 0, is usually ground with.
+bool finishesSlowly(const Project& project, std::size_t roughness) {
+    constexpr std::array plungeMost{0.08, 0.125, 0.16}, axialMost{0.2, 0.25, 0.35};
+    const auto feedOf = [&project](const StageFeed& feed) {
+        return *(project.cycle->stages.at(1).*feed.value);
+    };
+    const StageFeed& radial = project.operation->radial();
+    if (!project.operation->travels) {
+        const double least = std::min(0.05, feedOf(radial));
+        return isFinishWithin(project, radial, least, plungeMost[roughness]);
+    }
+    constexpr double most_mm = 0.005;
+    const StageFeed& axial = *project.operation->axial();
+    const double turn = project.wheel->width_mm * project.machine->work_speed_rpm;
+    return isFinishWithin(project, radial, std::min(0.6 * feedOf(radial), most_mm),
+                          std::min(2 * feedOf(radial), most_mm))
+           && isFinishWithin(project, axial, std::min(0.15 * turn, feedOf(axial)),
+                             axialMost[roughness] * turn);
 }
 
 class TestUsualSearch : public QObject {
@@ -124,6 +188,34 @@ private slots:
                 }
             }
         }
+    }
+
+    // An estimated Ra forbids no feed: the levels keep finishing slow, also about a cycle that
+    // finishes as fast as it roughs.
+    void finishingIsSlowWhereTheRoughnessIsOnlyEstimated() {
+        constexpr std::array roughnesses{0.4, 0.8, 1.6};
+        std::mt19937_64 bits(1);
+        int drawn = 0;
+        for (std::size_t i = 0; i < 50; ++i) {
+            const std::size_t roughness = i % roughnesses.size();
+            std::optional<Project> project = drawnShaft(
+                bits, i % 2 == 0 ? Operation::plunge : Operation::traverse, roughnesses[roughness]);
+            if (!project) {
+                continue;
+            }
+            ++drawn;
+            QVERIFY2(finishesSlowly(*project, roughness), QByteArray::number(qulonglong(i)));
+            QVERIFY(project->optimisation->non_increasing);
+            auto& stages = project->cycle->stages;
+            for (const StageFeed& feed : project->operation->feeds) {
+                stages[1].*feed.value = stages[0].*feed.value;
+            }
+            QVERIFY2(finishesSlowly(usualSearch(*project), roughness),
+                     QByteArray::number(qulonglong(i)));
+            project->wheel->roughness_factor = 2; // calibrated: Ra itself decides
+            QVERIFY(!usualSearch(*project).optimisation->stage_axial_feed_mm_min);
+        }
+        QVERIFY(drawn > 40);
     }
 
     // The answer, once it is the project's cycle, is the one to beat when it is searched again.
@@ -177,6 +269,20 @@ private slots:
         QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::corners);
         p.batch->factors.stock_mm = Factor{};
         p.batch->factors.stock_mm->uniform = std::vector<double>{-1, 5}; // cannot be run
+        QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::stocks);
+    }
+
+    // A stock of a micrometre cannot be shared by two stages: the grid is that which is offered.
+    void withoutACycleInItsGridItIsStillForMoreThanTheNominalPart() {
+        Project p = journal();
+        p.cycle->stages = {p.cycle->stages.front()};
+        p.part->stock_mm = p.cycle->stages.front().stock_mm = 0.001;
+        QVERIFY(usualSearch(p).optimisation->adaptive);
+        QCOMPARE(scenariosOf(usualSearch(p)), checkBatch(p).empty()
+                                                  ? OptimisationScenarios::corners
+                                                  : OptimisationScenarios::stocks);
+        p.batch.reset();
+        QVERIFY(usualSearch(p).optimisation->adaptive);
         QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::stocks);
     }
 

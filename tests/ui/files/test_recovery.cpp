@@ -90,7 +90,7 @@ private slots:
         after.recover(*content.setup, {}, {}, false, content.header.open);
         QVERIFY(after.modified());
         QCOMPARE(after.openInputs(), bench.document.openInputs());
-        QCOMPARE(after.missingInputs().size(), content.header.open.size());
+        QCOMPARE(after.newFaults().size(), content.header.open.size());
         Project given = after.project();
         given.part->length_mm = 80;
         after.edit(given, editText);

@@ -202,6 +202,49 @@ private slots:
         QVERIFY(!bench.window->document().canUndo());
     }
 
+    /// The cycle begins a tenth of a second into the recording: with that fitted the values are
+    /// taken.
+    void aTimeLeftOutIsFittedBeforeTheValuesAreTaken() {
+        Bench bench(QStringLiteral("en"));
+        bench.window->document().startUntitled(traced::project(false, 0.1));
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            click(dialog, "time_shift"); // off
+            fit(dialog);
+            const QString words = part<QLabel>(dialog, "fitWords")->text();
+            QVERIFY2(words.contains(QStringLiteral("Not to be used: the model does not fit"))
+                         && words.contains(QStringLiteral("Left out: ")),
+                     qPrintable(words));
+            QVERIFY(part<QTableView>(dialog, "fitValues")->isVisible());
+            QVERIFY(part<QPushButton>(dialog, "fitTimes")->isVisible());
+            QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
+            const QString fault = part<QLabel>(dialog, "fitFault")->text();
+            QVERIFY2(fault.contains(QStringLiteral("Fit it too")), qPrintable(fault));
+            click(dialog, "time_shift");
+            fit(dialog);
+            QVERIFY(!part<QPushButton>(dialog, "fitTimes")->isVisible());
+            QVERIFY(part<QPushButton>(dialog, "fitTake")->isEnabled());
+        });
+    }
+
+    void aReadingOverRangeIsNamed() {
+        Bench bench(QStringLiteral("en"));
+        Project project = traced::project();
+        MeasuredTrace& size = project.measured->traces.front();
+        std::vector<double> values = size.values.values();
+        values[values.size() / 3] = 9.999;
+        size.values = Samples(std::move(values));
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            fit(dialog);
+            const QString words = part<QLabel>(dialog, "fitWords")->text();
+            QVERIFY2(words.contains(QStringLiteral("Over range: size at the gauge, cycle-17.csv"))
+                         && words.contains(QStringLiteral("9.999 mm at ")),
+                     qPrintable(words));
+        });
+    }
+
     /// A printed table of means: β and the setting of the gauge are ticked, fitted and taken over.
     void finishedPartsGiveBetaAndTheSetting() {
         Bench bench(QStringLiteral("en"));

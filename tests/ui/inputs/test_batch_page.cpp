@@ -18,8 +18,11 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
+
+#include <algorithm>
 
 namespace sparkout::test_batch_page {
 
@@ -125,6 +128,27 @@ private slots:
         page.undo();
         page.undo();
         QVERIFY(sameProject(page.project(), project));
+    }
+
+    void anEditOfTheStockMovesItsLawAndSaysSo() {
+        using Ends = std::vector<double>;
+        const Page page(fixtures::shaftBatch(50));
+        Project project = page.project();
+        project.part->stock_mm = 0.2;
+        page.bench.window->document().edit(project, {"Input", "Stock per side"});
+        page.bench.settle();
+        QCOMPARE(*page.batch().factors.stock_mm->uniform, (Ends{0.18, 0.22}));
+        const auto notice = [&page] {
+            return page.bench.window->findChild<QWidget*>(QStringLiteral("notice laws"));
+        };
+        QVERIFY(notice());
+        const auto labels = notice()->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->text().contains(QStringLiteral("follow this edit: Stock per side"));
+        }));
+        page.undo();
+        QCOMPARE(*page.batch().factors.stock_mm->uniform, (Ends{0.13, 0.17}));
+        QTRY_VERIFY(!notice());
     }
 
     void everyFormIsChosenAndCanBeRun() {

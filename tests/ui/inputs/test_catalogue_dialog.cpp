@@ -8,7 +8,6 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
-#include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/session/settings.h"
 
 #include <QDir>
@@ -122,10 +121,10 @@ private slots:
         int dialogs = 0;
         answers.seen = [&dialogs](QDialog& dialog) {
             if (++dialogs == 1) {
-                auto* name = child<QLineEdit>(dialog, "entryName");
+                auto* name = child<QLineEdit>(dialog, "newName");
                 name->selectAll();
                 QTest::keyClick(name, Qt::Key_Delete);
-                QVERIFY(!child<QPushButton>(dialog, "keepName")->isEnabled());
+                QVERIFY(!child<QPushButton>(dialog, "acceptName")->isEnabled());
                 QTest::keyClicks(name, QStringLiteral("bench wheel"));
             } else if (dialogs == 2) {
                 auto* search = child<QLineEdit>(dialog, "catalogueSearch");

@@ -274,7 +274,8 @@ private slots:
         };
         const auto tellsIndices = [&] {
             return shows("mean_interval_95") && shows("pp") && shows("ppk")
-                   && view->histograms()->chart(1).heading.contains(QStringLiteral("Ppk"));
+                   && view->histograms()->chart(1).headings.value(0).contains(
+                       QStringLiteral("Ppk"));
         };
         const auto run = [&] { return view->batch() && !view->busy() && !view->stale(); };
         QVERIFY(QTest::qWaitFor(run, 30'000));
@@ -286,7 +287,7 @@ private slots:
             QVERIFY(!shows(row));
         }
         const auto everyText = [&] {
-            QString text = view->histograms()->chart(1).heading;
+            QString text = view->histograms()->chart(1).headings.join(u' ');
             for (const QLabel* label : view->findChildren<QLabel*>()) {
                 text += label->text() + label->accessibleDescription();
             }

@@ -53,7 +53,9 @@ ChartGrid grid(std::size_t columns) {
     ChartGrid grid{.columns = columns, .caption = QStringLiteral("Time, s"), .sharesValues = true};
     for (std::size_t i = 0; i < 2 * columns; ++i) {
         grid.cells.push_back(sample());
-        grid.cells.back().heading = i < columns ? QString::number(i) : QString();
+        if (i < columns) {
+            grid.cells.back().headings << QString::number(i);
+        }
     }
     return grid;
 }

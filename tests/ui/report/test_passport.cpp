@@ -5,12 +5,14 @@
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_statistics.h"
 #include "core/batch/scenario_source.h"
+#include "core/identification/hold_out.h"
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"
 #include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
+#include "tests/ui/support/traced_project.h"
 #include "ui/measured/measured_text.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/text/dressing_text.h"
@@ -311,6 +313,31 @@ private slots:
         QVERIFY(rowOf(rowsOfHtml(bytesOf(report::passport(subject), Format::html)),
                       {MeasuredText::name(project, rows.front().measured)})
                     .isEmpty());
+    }
+
+    void aCycleThatTheCalibrationHasNotUsedIsPredicted_data() { addLanguages(); }
+    void aCycleThatTheCalibrationHasNotUsedIsPredicted() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Project project = traced::heldOut();
+        const QStringList sentences = MeasuredText::holdOut(project, holdOut(project));
+        QCOMPARE(sentences.size(), 1);
+        QVERIFY2(sentences.front().contains(QStringLiteral("second.csv")),
+                 qPrintable(sentences.front()));
+        const auto says = [&](const Project& of) {
+            report::Subject subject;
+            subject.outcome = fixtures::run(of);
+            subject.date = day;
+            const std::vector<report::Block> blocks = report::passport(subject).blocks;
+            return std::ranges::any_of(blocks, [&sentences](const report::Block& block) {
+                const auto* paragraph = std::get_if<report::Paragraph>(&block);
+                return paragraph && paragraph->text == sentences.front();
+            });
+        };
+        QVERIFY(says(project));
+        Project used = project;
+        used.measured->calibrations.front().data = "second.csv";
+        QVERIFY(!says(used));
     }
 
     void theIntervalBetweenDressingsIsStated_data() { addLanguages(); }

@@ -2,6 +2,7 @@
 // Labels: numbers
 // The numbers of the reports, straight from their tables and figures: those of the outcome, each at
 // its own place.
+#include "core/project/machine.h"
 #include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
@@ -122,8 +123,8 @@ private slots:
             const double forms_um[] = {zone.cylindricity_mm * 1000, zone.totalRunout_mm * 1000,
                                        zone.profile.taper_mm * 1000, zone.profile.crown_mm * 1000};
             QVERIFY(forms_um[0] > 0);
-            QCOMPARE(card.rows[i][1], Names::amountFixed(forms_um[0], 2));
-            QCOMPARE(card.rows[i][2], Names::amountFixed(forms_um[1], 2));
+            QCOMPARE(card.rows[i][1], Names::formAmount(forms_um[0], false)); // no machine's form
+            QCOMPARE(card.rows[i][2], Names::formAmount(forms_um[1], false));
             QCOMPARE(card.rows[i][3], Names::signedMicrometres(forms_um[2]));
             QCOMPARE(card.rows[i][4], Names::signedMicrometres(forms_um[3]));
             for (std::size_t k = 0; k < std::size(forms_um); ++k) {
@@ -146,6 +147,63 @@ private slots:
         ConstraintResult round = requirement(ConstraintKind::roundness, 0, 0.002);
         round.isWhole = true;
         QCOMPARE(Names::value(round), u'<' + space + QStringLiteral("0.01"));
+    }
+
+    /// Below "machine not known" stands at least what the process leaves, or a dash: never 0.00.
+    void theCardHasNoBareNumberWhereTheMachineIsNotKnown() {
+        Project project = fixtures::traverseProject();
+        project.zone_sections = 5;
+        Outcome outcome = *fixtures::run(project);
+        const double runouts_mm[] = {0, 2e-6, 5.4e-4};
+        for (std::size_t i = 0; i < std::size(runouts_mm); ++i) {
+            outcome.result.sections.at(i).radialRunout_mm = runouts_mm[i];
+            outcome.accuracy.sections.at(i).minimumZone = {};
+            outcome.accuracy.sections.at(i).minimumZone.outer_mm = runouts_mm[i];
+            outcome.accuracy.zones.at(i).cylindricity_mm = runouts_mm[i];
+            outcome.accuracy.zones.at(i).totalRunout_mm = runouts_mm[i];
+        }
+        const auto column = [](const report::Table& table, qsizetype at) {
+            QStringList cells;
+            for (const QStringList& row : table.rows) {
+                cells << row.at(at);
+            }
+            return cells;
+        };
+        const QStringList bounds{QStringLiteral("–"), QStringLiteral("–"),
+                                 QStringLiteral("≥ 0.54")};
+        const QStringList exact{QStringLiteral("0.00"), QStringLiteral("<\u00a00.01"),
+                                QStringLiteral("0.54")};
+        QCOMPARE(column(CycleCard::accuracy(outcome), 4), bounds); // runout
+        QCOMPARE(column(CycleCard::accuracy(outcome), 5), bounds); // roundness
+        QCOMPARE(column(CycleCard::zoneForms(outcome), 1), bounds);
+        QCOMPARE(column(CycleCard::zoneForms(outcome), 2), bounds);
+        outcome.result.project.machine->geometric_runout_um = 1; // tells the runout alone
+        QCOMPARE(column(CycleCard::accuracy(outcome), 4), exact);
+        QCOMPARE(column(CycleCard::accuracy(outcome), 5), bounds);
+        QCOMPARE(column(CycleCard::zoneForms(outcome), 1), bounds);
+        QCOMPARE(column(CycleCard::zoneForms(outcome), 2), exact);
+    }
+
+    void theProfilesHaveNoneEither() {
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        ProfileSeries series = makeProfileSeries(outcome->result, outcome->trajectory);
+        Profile& profile = series.profiles.front();
+        const auto says = [&](bool brief, const char* text) {
+            const QString said = ProfilesText::numbers(series, profile, brief);
+            return said.contains(QString::fromUtf8(text));
+        };
+        profile.radialRunout_mm = 0;
+        QVERIFY(says(true, "runout – µm"));
+        QVERIFY(says(false, "Radial runout – µm, machine not known"));
+        profile.radialRunout_mm = 5.4e-4;
+        QVERIFY(says(true, "runout ≥ 0.54 µm"));
+        QVERIFY(says(false, "Radial runout ≥ 0.540 µm, machine not known"));
+        series.knowsRunout = true;
+        QVERIFY(says(true, "runout 0.54 µm"));
+        const RoundnessZone circle;
+        QCOMPARE(ProfilesText::roundness(circle, true, false), QStringLiteral("RONt –, e 0.00 µm"));
+        QCOMPARE(ProfilesText::roundness(circle, true, true),
+                 QStringLiteral("RONt 0.00, e 0.00 µm"));
     }
 
     void aZoneWithoutARoughnessHasADash() {

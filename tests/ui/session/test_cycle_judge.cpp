@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the cycle in front stands: its stocks with the run or after it, its batch a little later.
+#include "core/adequacy/prediction.h"
+#include "core/project/measured.h"
 #include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
@@ -66,6 +68,23 @@ private slots:
         QCOMPARE(batch.bad, wanted.statistics.bad);
     }
 
+    /// One that takes longer is left to its view; until then the cycle is not plainly fit.
+    void slowBatchKeepsTheCycleFromPlainGreen() {
+        Bench bench;
+        Project project = fixtures::plungeProject(3);
+        project.part->tolerance.radial_runout_um.reset();
+        project.part->upper_deviation_um = 900;
+        project.part->lower_deviation_um = -900;
+        project = withUsualBatch(project);
+        project.batch->parts = 1'000'000;
+        bench.run(project);
+        QTRY_VERIFY(!bench.judge.judged().areStocksComing);
+        const JudgedRun& judged = bench.judge.judged();
+        QVERIFY(judged.hasBatch && !judged.isBatchComing && !isBatchQuick(judged.outcome->result));
+        QVERIFY(judged.judgement.stocks && judged.judgement.stocks->holds);
+        QCOMPARE(judged.judgement.state, JudgedState::batchNotRun);
+    }
+
     /// An edit drops what was known of the inputs before.
     void batchOfOtherInputsIsNotTold() {
         Bench bench;
@@ -88,6 +107,29 @@ private slots:
         QVERIFY(bench.judge.judged().judgement.batch.has_value());
         QVERIFY(!bench.judge.judged().isBatchComing);
         QVERIFY(!bench.studies.judged.result());
+    }
+
+    /// Once the batch that predicts them has been run.
+    void measuredPartsThatDifferAreTold() {
+        Bench bench;
+        Project project = withUsualBatch(fixtures::plungeProject(3));
+        project.batch->parts = 5;
+        MeasuredSummary summary;
+        summary.place = 2;
+        summary.count = 30;
+        summary.mean_um = 500;
+        summary.deviation_um = 1;
+        project.measured.emplace().summaries = {summary};
+        bench.run(project);
+        const JudgedRun& judged = bench.judge.judged();
+        QVERIFY(!judged.judgement.measured);
+        bench.studies.runPrediction(predictingProject(project));
+        QTRY_VERIFY_WITH_TIMEOUT(judged.judgement.measured.has_value(), patience_ms);
+        QCOMPARE(judged.judgement.measured->section, 2);
+        QVERIFY(judged.judgement.measured->bias_um > 400);
+        project.cycle->stages.back().radial_feed_mm_min = 0.1; // other inputs, not predicted yet
+        bench.run(project);
+        QVERIFY(!judged.judgement.measured);
     }
 
     void batchIsNotToldWhereItMayNot() {

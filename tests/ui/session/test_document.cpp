@@ -6,6 +6,7 @@
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
@@ -327,6 +328,59 @@ private slots:
         document.undo();
         for (const GroundSurface& surface : document.setup().surfaces) {
             QVERIFY(surface.project.wheel->width_mm != 55.0);
+        }
+    }
+
+    /// Typing is one step, with the law that follows; a law stays under a gate and where a whole
+    /// project is restored.
+    void lawOfTheBatchFollowsItsInputInTheSameStep() {
+        using Ends = std::vector<double>;
+        Untitled document(fixtures::shaftBatch(20));
+        const QString key = QStringLiteral("/part/stock_mm");
+        const auto edit = [&](double stock_mm, const QString& merge, Document::Laws laws) {
+            Project project = document.project();
+            project.part->stock_mm = stock_mm;
+            document.edit(project, editText, merge, laws);
+        };
+        const auto ends = [&document] {
+            return *document.project().batch->factors.stock_mm->uniform;
+        };
+        edit(0.2, key, Document::Laws::move);
+        edit(0.25, key, Document::Laws::move);
+        QCOMPARE(ends(), (Ends{0.23, 0.27}));
+        QCOMPARE(document.movedLaws(), std::vector{FactorKind::stock});
+        document.undo();
+        QCOMPARE(document.project().part->stock_mm, 0.15);
+        QCOMPARE(ends(), (Ends{0.13, 0.17}));
+        QVERIFY(!document.canUndo());
+        edit(0.2, {}, Document::Laws::stay);
+        QCOMPARE(ends(), (Ends{0.13, 0.17}));
+        QVERIFY(document.movedLaws().empty());
+        document.setGate([](const SetupState&) { return true; });
+        edit(0.25, {}, Document::Laws::move);
+        QCOMPARE(document.project().part->stock_mm, 0.25);
+        QCOMPARE(ends(), (Ends{0.13, 0.17}));
+    }
+
+    void lawsOfEverySurfaceFollowASharedInput() {
+        Setup setup = threeSurfaces();
+        for (GroundSurface& surface : setup.surfaces) {
+            surface.project.batch = Batch{};
+            surface.project.batch->factors.wheel_diameter_mm = fixtures::uniform(400, 500);
+            surface.project.wheel->diameter_mm = 500;
+        }
+        Untitled document(setup);
+        Project project = document.project();
+        project.wheel->diameter_mm = 450;
+        document.edit(project, editText);
+        for (const GroundSurface& surface : document.setup().surfaces) {
+            QCOMPARE(*surface.project.batch->factors.wheel_diameter_mm->uniform,
+                     (std::vector<double>{360, 450}));
+        }
+        QCOMPARE(document.movedLaws(), std::vector{FactorKind::wheelDiameter});
+        document.undo();
+        for (const GroundSurface& surface : document.setup().surfaces) {
+            QCOMPARE(surface.project.batch->factors.wheel_diameter_mm->uniform->front(), 400.0);
         }
     }
 

@@ -41,4 +41,24 @@ inline Project project(bool withPower = false, double shift_s = 0) {
     return project;
 }
 
+/// Calibrated on first.csv, with the size of a later cycle, second.csv.
+inline Project heldOut() {
+    Project project = plunge();
+    const double dullness = project.wheel->dullness;
+    const measured_cycles::Record cycle = measured_cycles::record(project, 1);
+    Measured& measured = project.measured.emplace();
+    measured.calibrations.push_back({.input = "/wheel/dullness",
+                                     .value = dullness,
+                                     .low = 0.9 * dullness,
+                                     .high = 1.1 * dullness,
+                                     .data = "first.csv",
+                                     .count = 200,
+                                     .date = "2026-11-30"});
+    measured.traces.push_back(measured_cycles::trace(
+        TraceQuantity::gauge_size, cycle,
+        {.from_s = -1, .to_s = cycle.end_s.back() + 2, .noise = 0.0005, .shift_s = 0.3}));
+    measured.traces.back().source = "second.csv";
+    return project;
+}
+
 } // namespace sparkout::traced

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
+#include "core/catalogue/shipped_catalogue.h"
 #include "core/format/project_file.h"
 #include "core/phases/phase_decision.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
 #include "core/study/usual_search.h"
@@ -19,12 +21,14 @@
 #include "ui/plot/plot_view.h"
 #include "ui/plot/view_plot.h"
 #include "ui/session/cycle_cursor.h"
+#include "ui/text/texts.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QPushButton>
 
 #include <map>
@@ -206,6 +210,71 @@ private slots:
         QCOMPARE(startingOf(document.project()), std::string());
         document.undo();
         QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min, std::optional(0.5));
+    }
+
+    // The wheel follows Ra and machine until another is chosen.
+    void theWheelFollowsTheDrawingAndTheMachine() {
+        Document document;
+        document.startIncomplete(undrawnProject(Operation::plunge), drawingInputs());
+        const auto edit = [&document](const auto& change) {
+            Project changed = document.project();
+            change(changed);
+            document.edit(changed, {"Edit", "x"});
+            return document.project().wheel->marking;
+        };
+        const auto ra = [](double ra_um) {
+            return [ra_um](Project& project) { project.part->tolerance.roughness_ra_um = ra_um; };
+        };
+        QCOMPARE(edit([](Project& project) {
+                     Part& part = *project.part;
+                     part.diameter_mm = 35;
+                     part.upper_deviation_um = 18;
+                     part.lower_deviation_um = 2;
+                     part.length_mm = 28;
+                     part.stock_mm = 0.15;
+                 }),
+                 std::string("600×63×305 25А F60 L 6 V"));
+        QCOMPARE(edit(ra(3.2)), std::string("600×63×305 25А F46 K 6 V"));
+        QCOMPARE(edit([](Project& project) {
+                     applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3М153"), project);
+                 }),
+                 std::string("500×50×203 25А F60 L 6 V"));
+        const std::string own = "500×50×203 92А F60 L 6 V";
+        QCOMPARE(edit([&own](Project& project) {
+                     applyEntry(*entryMeant(shippedEntries<WheelEntry>(), own), project);
+                 }),
+                 own);
+        QCOMPARE(edit(ra(0.4)), own);
+        QVERIFY(document.followsDrawing());
+    }
+
+    void aPartThatTheMachineDoesNotTakeIsRefusedUntilAnotherTakesIt() {
+        NewBench bench("newPlunge");
+        QVERIFY(bench.incomplete());
+        bench.type("/part/diameter_mm", QStringLiteral("300h8"));
+        bench.type("/part/length_mm", QStringLiteral("40"));
+        bench.type("/part/stock_mm", QStringLiteral("0.3"));
+        Document& document = bench.window->document();
+        QVERIFY(document.openInputs().empty());
+        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran()
+                    && bench.window->outcome()->issues.size() == 2);
+        QCOMPARE(bench.window->outcome()->issues.front().path, std::string("/part/diameter_mm"));
+        const Issue& offer = bench.window->outcome()->issues.back();
+        QCOMPARE(offer.path, std::string("/machine/name"));
+        QVERIFY(issueText(offer).contains(QStringLiteral("3М174")));
+        Project larger = document.project();
+        applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3М174"), larger);
+        document.edit(larger, {"Edit", "x"});
+        QTRY_VERIFY(bench.window->outcome()->ran());
+    }
+
+    void theCyclePageStatesWhatLimitsTheRoughDepth() {
+        NewBench bench("newPlunge");
+        bench.type("/part/diameter_mm", QStringLiteral("35k6"));
+        bench.type("/part/length_mm", QStringLiteral("28"));
+        bench.type("/part/stock_mm", QStringLiteral("0.15"));
+        auto* const follows = bench.window->findChild<QLabel*>(QStringLiteral("followsDrawing"));
+        QTRY_VERIFY(follows->text().contains(QStringLiteral("Its rough depth of cut")));
     }
 
     void aNumberThatIsDeletedAgainIsAskedForAgain() {

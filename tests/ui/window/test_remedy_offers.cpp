@@ -121,6 +121,9 @@ private slots:
 
     void aRussianWindowHasRussianWordsAndNumbers() {
         OpenBench bench(QStringLiteral("ru"), examplePath("wheel-dull"));
+        Project project = bench.window->document().project();
+        project.machine->limits.work_speed_rpm = std::vector<double>{160, 160, 5}; // for a feed
+        bench.window->document().edit(project, {"Edit", "x"});
         const Offers offers(bench);
         QVERIFY(offers.wait());
         bool feeds = false;

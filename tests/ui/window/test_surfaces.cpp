@@ -8,6 +8,7 @@
 #include "core/study/search.h"
 #include "core/study/usual_search.h"
 #include "tests/registry.h"
+#include "tests/two_stage_projects.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/search_fixtures.h"
@@ -32,6 +33,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QListView>
 #include <QListWidget>
 #include <QSignalSpy>
@@ -127,6 +129,22 @@ Setup searchedSetup() {
     setup.surfaces[0].name = "first";
     setup.surfaces[1].name = "second";
     setup.wear.dulling_per_mm2 = 1e-4;
+    return setup;
+}
+
+/// Three surfaces whose batches all parts of are good; that of the last one takes long.
+Setup setupWithBatches() {
+    Project project = fixtures::plungeProject(3);
+    project.part->tolerance.radial_runout_um.reset();
+    project.part->upper_deviation_um = 900;
+    project.part->lower_deviation_um = -900;
+    project = withUsualBatch(project);
+    project.batch->parts = 8;
+    Setup setup = plainSetup(project);
+    setup.surfaces.front().name = "first";
+    setup.surfaces.push_back({"second", project});
+    project.batch->parts = 1'000'000;
+    setup.surfaces.push_back({"third", project});
     return setup;
 }
 
@@ -227,9 +245,20 @@ private slots:
         QCOMPARE(desk.tabs().currentIndex(), 1);
         {
             DialogAnswers rename({QStringLiteral("Enter")});
-            rename.seen = [](QDialog& dialog) {
-                dialog.findChild<QLineEdit*>(QStringLiteral("surfaceName"))
-                    ->setText(QStringLiteral("  Cone <b>  "));
+            rename.seen = [&names](QDialog& dialog) {
+                auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("newName"));
+                const auto* accept = dialog.findChild<QPushButton*>(QStringLiteral("acceptName"));
+                for (const QString& refused : {QString(), QStringLiteral("  "), names[1]}) {
+                    name->setText(refused);
+                    QVERIFY2(!accept->isEnabled(), qPrintable(refused));
+                }
+                QVERIFY(
+                    std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
+                        return label->text()
+                               == QStringLiteral("Each surface has a name of its own.");
+                    }));
+                name->setText(QStringLiteral("  Cone <b>  "));
+                QVERIFY(accept->isEnabled());
             };
             desk.press("renameSurface");
             QVERIFY2(rename.fault().isEmpty(), qPrintable(rename.fault()));
@@ -642,6 +671,66 @@ private slots:
         QTest::mouseClick(stop, Qt::LeftButton);
         QVERIFY(ended.wait(20'000));
         QCOMPARE(ended.back().front().toBool(), true);
+    }
+
+    /// The quick ones are run by themselves, also of the surfaces that are not in front; where the
+    /// batch takes long, tab and table say that it was not run.
+    void batchesOfAllSurfacesAreJudged() {
+        Desk desk(setupWithBatches());
+        QVERIFY(desk.isOpen);
+        const auto judged = [&desk](std::size_t surface) -> const Judgement& {
+            return desk.runs().statuses()[surface].judgement;
+        };
+        constexpr int patience_ms = 60'000;
+        for (const std::size_t surface : {std::size_t{0}, std::size_t{1}}) {
+            QTRY_VERIFY_WITH_TIMEOUT(judged(surface).state == JudgedState::batchHolds, patience_ms);
+            QCOMPARE(judged(surface).batch->parts, std::int64_t{8});
+        }
+        QCOMPARE(judged(2).state, JudgedState::batchNotRun);
+        const QString open = QStringLiteral("batch not run");
+        QVERIFY(!desk.tabs().tabToolTip(1).contains(open));
+        QVERIFY(desk.tabs().tabToolTip(2).contains(open));
+        PartWindow* const whole = desk.openWholePart();
+        const auto cell = [whole](int row, PartColumn column) {
+            return whole->model().index(row, static_cast<int>(column)).data().toString();
+        };
+        QCOMPARE(cell(1, PartColumn::batch), QStringLiteral("0 of 8 bad"));
+        QVERIFY(cell(2, PartColumn::batch).isEmpty());
+        QVERIFY(cell(2, PartColumn::verdict).contains(open));
+        const auto labels = whole->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [&open](const QLabel* label) {
+            return label->text().contains(QStringLiteral("third: Fit for every stock; ") + open);
+        })); // the surface to report first
+
+        Project edited = desk.document().project();
+        edited.wheel->dullness += 0.01; // shared by all
+        desk.document().edit(edited, {"Input", "Dullness"});
+        QVERIFY(!judged(1).batch);
+        QTRY_VERIFY_WITH_TIMEOUT(judged(1).state == JudgedState::batchHolds, patience_ms);
+        QCOMPARE(judged(2).state, JudgedState::batchNotRun);
+    }
+
+    /// A batch that was run for the whole part counts for the verdict on the same inputs alone.
+    void aBatchOfTheWholePartIsJudged() {
+        const Setup setup = setupWithBatches();
+        Desk desk(setup);
+        QVERIFY(desk.isOpen);
+        const auto state = [&desk] { return desk.runs().statuses()[2].judgement.state; };
+        QTRY_VERIFY(state() == JudgedState::batchNotRun);
+        const auto runFor = [&desk](Project project) {
+            SurfaceStudy study;
+            study.surface = 2;
+            BatchOptions few;
+            few.range = PartRange{0, 8};
+            study.batch = runWholeBatch(project, few);
+            desk.runs().takeStudy(std::make_shared<const SurfaceStudy>(std::move(study)));
+        };
+        Project other = setup.surfaces[2].project;
+        other.wheel->dullness += 0.01;
+        runFor(other);
+        QCOMPARE(state(), JudgedState::batchNotRun);
+        runFor(setup.surfaces[2].project);
+        QCOMPARE(state(), JudgedState::batchHolds);
     }
 
     /// A surface that is gone, or another file, while all of it runs.

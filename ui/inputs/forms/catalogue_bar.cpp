@@ -6,9 +6,9 @@
 #include "core/project/wheel.h"
 #include "ui/fields/mark.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
-#include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
+#include "ui/kit/name_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
 
@@ -100,9 +100,9 @@ std::optional<Project> CatalogueBar::asInCatalogue() {
 
 void CatalogueBar::keep() {
     store().refresh();
-    EntryNameDialog dialog(
-        tr("Save as mine"), nameInProject(),
-        [this](const QString& name) -> EntryNameDialog::Answer {
+    NameDialog dialog(
+        tr("Save as mine"), tr("&Keep"), nameInProject(),
+        [this](const QString& name) -> NameDialog::Answer {
             if (!store().fault().isEmpty()) {
                 return {tr("Your own catalogue cannot be read. “From catalogue…” says why."),
                         false};

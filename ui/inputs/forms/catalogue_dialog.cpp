@@ -4,11 +4,11 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/wheel.h"
-#include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/inputs/forms/stiffness_offer.h"
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
+#include "ui/kit/name_dialog.h"
 #include "ui/kit/sealed_state.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
@@ -386,9 +386,9 @@ void CatalogueDialog::putAside() {
 
 void CatalogueDialog::renameOwn() {
     const QString old = entryName(chosen()->entry);
-    EntryNameDialog dialog(
-        tr("Rename the entry"), old,
-        [this, &old](const QString& name) -> EntryNameDialog::Answer {
+    NameDialog dialog(
+        tr("Rename the entry"), tr("&Rename"), old,
+        [this, &old](const QString& name) -> NameDialog::Answer {
             const bool taken = name != old && m_store.hasOwn(name);
             return {taken ? tr("You already have an entry with this name.") : QString(), !taken};
         },

@@ -4,6 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/starting/starting_project.h"
 #include "core/study/stage_edits.h"
+#include "core/units.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/forms/stage_delegate.h"
 #include "ui/inputs/forms/stage_model.h"
@@ -11,8 +12,11 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/document.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
@@ -111,13 +115,38 @@ void StageTable::showFollows() {
     const bool follows = document().followsDrawing();
     m_hasFollowed = m_hasFollowed || follows;
     m_follows->setText(
-        follows ? tr("A starting cycle: it follows the drawing, material, wheel and machine until "
-                     "any other input is edited.")
-        : m_hasFollowed && document().missingInputs().empty()
+        follows ? joined({tr("A starting cycle: it follows the drawing, material, wheel and "
+                             "machine until any other input is edited."),
+                          roughDepthText()},
+                         QStringLiteral(" "))
+        : m_hasFollowed && document().newFaults().empty()
             ? tr("Edited: the cycle no longer follows the drawing. “%1” makes it anew.")
                   .arg(m_start->text())
             : QString());
     m_follows->setVisible(!m_follows->text().isEmpty());
+}
+
+/// Which depth of cut the starting cycle roughs with, and what limits it; empty without one.
+QString StageTable::roughDepthText() const {
+    const StartingCycle* start = document().followingCycle();
+    if (!start) {
+        return {};
+    }
+    const auto shown = [](double depth_mm) {
+        constexpr int digits = 2;
+        return printedNumber(depth_mm * units::umPerMm, digits) + u'\u00a0' + unitText("µm");
+    };
+    const QString depth = shown(start->roughDepth_mm), usual = shown(start->usualDepth_mm);
+    if (start->bound == RoughBound::table) {
+        return tr("Its rough depth of cut is the usual one, %1.").arg(depth);
+    }
+    const QString bound =
+        QCoreApplication::translate("StartingCycle", roughBoundText(start->bound));
+    return (start->isExceeded
+                ? tr("Its rough depth of cut, %1, is the machine's minimum and more than %2 "
+                     "allows; usual: %3.")
+                : tr("Its rough depth of cut, %1, is limited by %2; usual: %3."))
+        .arg(depth, bound, usual);
 }
 
 void StageTable::showSparkOut() {

@@ -43,6 +43,7 @@ private:
 
     void showFit();
     void showFollows();
+    [[nodiscard]] QString roughDepthText() const;
     void showSparkOut();
     void addSparkOut();
     void showContinuous();

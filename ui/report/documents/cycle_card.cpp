@@ -87,20 +87,18 @@ std::vector<Block> CycleCard::verdict(const Outcome& outcome, const Judgement& j
 }
 
 Table CycleCard::accuracy(const Outcome& outcome) {
-    const auto amount = [](double value_mm) {
-        return Names::amountFixed(value_mm * units::umPerMm, 2);
-    };
     const auto deviation = [](double value_mm) {
         return Names::signedMicrometres(value_mm * units::umPerMm);
     };
     const Machine& machine = *outcome.result.project.machine;
+    const bool knowsRunout = isRunoutKnown(machine), knowsRoundness = isRoundnessKnown(machine);
     Table table;
     table.head = {tr("Zone or section"),
                   tr("From the headstock end, mm"),
                   tr("Minimum deviation, µm"),
                   tr("Maximum deviation, µm"),
-                  Names::ofMachine(tr("Radial runout, µm"), isRunoutKnown(machine)),
-                  Names::ofMachine(tr("Roundness, µm"), isRoundnessKnown(machine)),
+                  Names::ofMachine(tr("Radial runout, µm"), knowsRunout),
+                  Names::ofMachine(tr("Roundness, µm"), knowsRoundness),
                   RequirementCells::roughnessHead(outcome.result.project)};
     const bool roughness = std::ranges::any_of(outcome.constraints, [](const ConstraintResult& c) {
         return c.kind == ConstraintKind::roughness;
@@ -109,6 +107,9 @@ Table CycleCard::accuracy(const Outcome& outcome) {
         table.head.removeLast();
     }
     const bool whole = FinishedSurface(outcome.result.project).isWhole();
+    const auto amount = [whole](double value_mm, bool isKnown) {
+        return whole ? Names::formAmount(value_mm * units::umPerMm, isKnown) : cell({});
+    };
     const auto& sections = outcome.result.sections;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const SectionResult& section = sections[i];
@@ -117,8 +118,8 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                         Names::significant(section.position_mm),
                         whole ? deviation(section.diameterDeviationMin_mm) : cell({}),
                         whole ? deviation(section.diameterDeviationMax_mm) : cell({}),
-                        whole ? amount(section.radialRunout_mm) : cell({}),
-                        whole ? amount(form.minimumZone.deviation()) : cell({})};
+                        amount(section.radialRunout_mm, knowsRunout),
+                        amount(form.minimumZone.deviation(), knowsRoundness)};
         if (roughness) {
             const auto ra =
                 std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
@@ -135,16 +136,17 @@ Table CycleCard::accuracy(const Outcome& outcome) {
 Table CycleCard::zoneForms(const Outcome& outcome) {
     Table table;
     const Machine& machine = *outcome.result.project.machine;
-    table.head = {tr("Zone"), Names::ofMachine(tr("Cylindricity, µm"), isRoundnessKnown(machine)),
-                  Names::ofMachine(tr("Total runout, µm"), isRunoutKnown(machine)), tr("Taper, µm"),
+    const bool knowsRunout = isRunoutKnown(machine), knowsRoundness = isRoundnessKnown(machine);
+    table.head = {tr("Zone"), Names::ofMachine(tr("Cylindricity, µm"), knowsRoundness),
+                  Names::ofMachine(tr("Total runout, µm"), knowsRunout), tr("Taper, µm"),
                   tr("Crown, µm")};
     table.texts = {true};
     const auto& zones = outcome.accuracy.zones;
     for (std::size_t i = 0; i < zones.size(); ++i) {
         using units::umPerMm;
         table.rows.push_back({Names::zoneFull(outcome.result.sections.at(i).zone),
-                              Names::amountFixed(zones[i].cylindricity_mm * umPerMm, 2),
-                              Names::amountFixed(zones[i].totalRunout_mm * umPerMm, 2),
+                              Names::formAmount(zones[i].cylindricity_mm * umPerMm, knowsRoundness),
+                              Names::formAmount(zones[i].totalRunout_mm * umPerMm, knowsRunout),
                               Names::signedMicrometres(zones[i].profile.taper_mm * umPerMm),
                               Names::signedMicrometres(zones[i].profile.crown_mm * umPerMm)});
     }
@@ -165,7 +167,7 @@ Table CycleCard::requirements(const Outcome& outcome) {
 }
 
 Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QDate& date,
-                        const BatchOutcomePtr& batch) {
+                        const BatchOutcomePtr& batch, const BatchOutcomePtr& predicting) {
     const Project& project = outcome->result.project;
     Report report = begunReport(tr("Cycle card of a grinding operation"), project, file, date);
     auto& blocks = report.blocks;
@@ -177,7 +179,7 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
     heading(tr("Settings by stage"));
     blocks.push_back(OperationSetup::stages(*outcome));
     heading(tr("Verdict"));
-    for (Block& block : verdict(*outcome, judgementOf(*outcome, batch.get()))) {
+    for (Block& block : verdict(*outcome, judgementOf(*outcome, batch.get(), predicting.get()))) {
         blocks.push_back(std::move(block));
     }
     heading(tr("Predicted accuracy"));

@@ -24,9 +24,10 @@ class CycleCard {
     Q_DECLARE_TR_FUNCTIONS(CycleCard)
 public:
     /// Requires a valid run. `file` is the path of the project, or empty; `batch` belongs to the
-    /// same inputs, or is null.
+    /// same inputs, and `predicting` to the measurements of the project; both may be null.
     [[nodiscard]] static Report write(const OutcomePtr& outcome, const QString& file,
-                                      const QDate& date, const BatchOutcomePtr& batch = {});
+                                      const QDate& date, const BatchOutcomePtr& batch = {},
+                                      const BatchOutcomePtr& predicting = {});
 
     // Its sections.
     static std::vector<Block> verdict(const Outcome& outcome, const Judgement& judgement);

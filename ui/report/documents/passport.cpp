@@ -221,8 +221,9 @@ Fitness PassportVerdict::fitness(const Subject& subject, const Judgement& judgem
     const Fitness ofBatch = subject.batch
                                 ? weigh(subject.batch->summary, subject.batch->result).fitness
                                 : Fitness::conditional;
-    return judgement.state == JudgedState::undecided ? std::max(ofBatch, Fitness::conditional)
-                                                     : ofBatch;
+    const bool isOpen =
+        judgement.state == JudgedState::undecided || judgement.state == JudgedState::measuredDiffer;
+    return isOpen ? std::max(ofBatch, Fitness::conditional) : ofBatch;
 }
 
 QString PassportVerdict::decision(const Subject& subject, const Judgement& judgement) {
@@ -236,7 +237,7 @@ QString PassportVerdict::decision(const Subject& subject, const Judgement& judge
 
 std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
     const Outcome& outcome = *subject.outcome;
-    const Judgement judgement = judgementOf(outcome, subject.batch.get());
+    const Judgement judgement = judgementOf(outcome, subject.batch.get(), subject.predicting.get());
     Facts facts{
         {{tr("Prediction"), JudgementText::headline(judgement)},
          {tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject, judgement))},

@@ -63,10 +63,10 @@ Company companyOf(const Subject& subject) {
 }
 
 Report makeCard(const Subject& subject) {
-    return withCompany(
-        withSurface(CycleCard::write(subject.outcome, subject.file, subject.date, subject.batch),
-                    subject),
-        companyOf(subject));
+    return withCompany(withSurface(CycleCard::write(subject.outcome, subject.file, subject.date,
+                                                    subject.batch, subject.predicting),
+                                   subject),
+                       companyOf(subject));
 }
 
 Report makePassport(const Subject& subject) {

@@ -57,7 +57,7 @@ struct KindRow {
     Kind kind;
     const char* key;  ///< key on the command line, described in the manual
     const char* menu; ///< menu text, translated in the context ReportKind
-    bool judgesBatch; ///< includes the verdict for the batch, if there is one
+    bool judgesBatch; ///< includes the verdict for the batch and by measured parts, if there are
     bool takesBatch;  ///< covers batches and wheels, if there are any
     bool takesSetup;  ///< covers all surfaces of a set-up
     Report (*make)(const Subject& subject);

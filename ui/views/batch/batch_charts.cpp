@@ -33,11 +33,15 @@ constexpr double partPointSize = 5, worstRingSize = 11; ///< [px]
 LineChart BatchCharts::histogram(const CharacteristicSummary& summary, bool tellsIndices) {
     const Characteristic& of = summary.characteristic;
     LineChart chart;
-    chart.heading = chart.briefHeading = BatchText::where(of);
+    const QString where = BatchText::where(of);
     if (tellsIndices && summary.ppk) {
-        chart.heading =
-            QStringLiteral("%1, Ppk %2").arg(chart.heading, BatchText::brief(*summary.ppk));
+        const QString ppk = QStringLiteral("Ppk %1").arg(BatchText::brief(*summary.ppk));
+        for (const QString& name : {BatchText::name(of), BatchText::shortName(of)}) {
+            chart.headings << QStringLiteral("%1, %2: %3").arg(where, Names::inSentence(name), ppk);
+        }
+        chart.headings << QStringLiteral("%1, %2").arg(where, ppk);
     }
+    chart.headings << where;
     ChartSeries parts{.key = partsKey,
                       .name = tr("parts"),
                       .kind = ChartSeries::Kind::bars,

@@ -44,6 +44,12 @@ QString BatchText::name(const Characteristic& characteristic) {
                                         : tr("Mean diameter");
 }
 
+QString BatchText::shortName(const Characteristic& characteristic) {
+    return characteristic.requirement   ? Names::constraintBrief(characteristic.requirement->kind)
+           : characteristic.section < 0 ? name(characteristic)
+                                        : tr("Diameter");
+}
+
 QString BatchText::where(const Characteristic& characteristic) {
     return characteristic.section < 0 ? tr("whole part")
                                       : Names::zone(characteristic.zone, characteristic.section);

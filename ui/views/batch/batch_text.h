@@ -13,12 +13,13 @@ namespace sparkout {
 class BatchText {
     Q_DECLARE_TR_FUNCTIONS(BatchText)
 public:
-    static QString name(const Characteristic& characteristic);  ///< "Mean diameter"
-    static QString where(const Characteristic& characteristic); ///< "RZ1", "whole part"
-    static QString full(const Characteristic& characteristic);  ///< "Mean diameter, RZ1"
-    static QString axis(const Characteristic& characteristic);  ///< "Mean diameter, µm"
-    static QString factor(const GivenFactor& factor);           ///< "Stock per side"
-    static QString factorAxis(const GivenFactor& factor);       ///< "Stock per side, mm"
+    static QString name(const Characteristic& characteristic);      ///< "Mean diameter"
+    static QString shortName(const Characteristic& characteristic); ///< "Diameter"
+    static QString where(const Characteristic& characteristic);     ///< "RZ1", "whole part"
+    static QString full(const Characteristic& characteristic);      ///< "Mean diameter, RZ1"
+    static QString axis(const Characteristic& characteristic);      ///< "Mean diameter, µm"
+    static QString factor(const GivenFactor& factor);               ///< "Stock per side"
+    static QString factorAxis(const GivenFactor& factor);           ///< "Stock per side, mm"
 
     /// The value without unit; an estimate has one digit; only 0 is shown as 0.
     static QString value(double value, const Characteristic& characteristic);

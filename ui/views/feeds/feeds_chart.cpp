@@ -247,8 +247,8 @@ LineChart FeedsChart::cell(std::size_t column, std::size_t row, const CurveChoic
     if (row == 0) {
         const FeedColumn& zone = source(column);
         const QString form = zone.gauge ? tr("%1 (gauge)") : QStringLiteral("%1");
-        chart.heading = form.arg(Names::zoneFull(zone.zone, zone.section));
-        chart.briefHeading = form.arg(Names::zone(zone.zone, zone.section));
+        chart.headings << form.arg(Names::zoneFull(zone.zone, zone.section))
+                       << form.arg(Names::zone(zone.zone, zone.section));
     }
     for (const bool onSecond : {true, false}) {
         for (const Quantity quantity : quantities(row, onSecond)) {

@@ -138,8 +138,9 @@ LineChart TracesPlot::chartOf(const Group& group) const {
     const QStringList groups{tr("measured"), tr("simulated"), tr("difference")};
     LineChart chart;
     chart.isFramed = true;
-    chart.heading = tr("%1: RMS %2 %3", "measured quantity")
-                        .arg(nameOf(first), Names::significant(rmsOf(group)), beside);
+    chart.headings << tr("%1: RMS %2 %3", "measured quantity")
+                          .arg(nameOf(first), Names::significant(rmsOf(group)), beside)
+                   << QString(); // the legend and the axes name the rest
     chart.across.label = m_timeLabel;
     chart.up = {.label = unit, .room = tracePad};
     chart.second = {.label = tr("Δ, %1").arg(beside), .room = tracePad, .isSymmetric = true};

@@ -3,6 +3,7 @@
 
 #include "core/optimisation/limit.h"
 #include "core/project/optimisation.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/views/optimise/optimise_text.h"
@@ -157,6 +158,17 @@ std::vector<ValueCell> cellsOf(const SearchOutcome& outcome, const FoundCycle& f
 
 // --- the answer ---------------------------------------------------------------------------------
 
+/// What an answer rests on.
+struct Basis {
+    QStringList full = {};  ///< for the tip, speech and copies
+    QStringList brief = {}; ///< shown; empty: all is shown in full
+
+    void add(const QString& text, const QString& shown) {
+        full << text;
+        brief << shown;
+    }
+};
+
 /// A row of answerTable(); missing values are shown as dashes.
 struct AnswerRow {
     const char* key;
@@ -165,7 +177,7 @@ struct AnswerRow {
     std::optional<PartsHeld> held = {};
     std::optional<double> cost = {};
     std::optional<double> stocksFailing = {}, partsBad = {}; ///< upper bounds of the shares
-    QStringList basis = {};
+    Basis basis = {};
     bool isAnswer = false;
 };
 
@@ -190,7 +202,7 @@ QString added(const SearchOutcome& outcome) {
     return QLocale().toString(qulonglong(outcome.robust->added.size()));
 }
 
-/// The proof for the best cycle of the grid.
+/// The proof for the best cycle of the grid, in full.
 QString proofOf(const SearchOutcome& outcome) {
     const QString size = OptimiseText::gridSize(outcome.search.gridSize);
     const bool isProved = outcome.proved();
@@ -223,53 +235,84 @@ QString proofOf(const SearchOutcome& outcome) {
                             : FoundTable::tr("none is quicker, proved: %1").arg(size);
 }
 
-QStringList wearBasis(const FoundCycle& best) {
-    if (!best.held) {
-        return {FoundTable::tr("how the wheel wears is not given")};
-    }
-    QStringList basis{
-        FoundTable::tr("%1 a part on average").arg(OptimiseText::time(best.held->meanTime_s))};
-    if (best.held->end) {
-        basis << FoundTable::tr("the next part breaks: %1").arg(requirementText(*best.held->end));
-    } else if (!best.held->isEndless && !best.held->isAll) {
-        basis << FoundTable::tr("the next part does not reach its size");
-    }
-    return basis;
+/// What an answer is good for that was searched for the nominal part, in the words of the verdict.
+QString nominalBasis() {
+    Judgement nominal;
+    nominal.state = JudgedState::nominal;
+    return Names::inSentence(JudgementText::headline(nominal));
 }
 
-QStringList robustBasis(const SearchOutcome& outcome, const FoundCycle& answer) {
-    QStringList basis;
-    if (!outcome.marginWithin_us && !outcome.proved()) {
-        basis << FoundTable::tr("scenarios added: %1").arg(added(outcome));
+QString briefProof(const SearchOutcome& outcome) {
+    return outcome.proved()              ? FoundTable::tr("proved")
+           : isHeuristic(outcome.method) ? FoundTable::tr("a heuristic")
+                                         : FoundTable::tr("not proved");
+}
+
+void addWearBasis(const FoundCycle& best, Basis& basis) {
+    if (!best.held) {
+        const QString unknown = FoundTable::tr("how the wheel wears is not given");
+        basis.add(unknown, unknown);
+        return;
     }
-    if (answer.decided) {
-        constexpr int digits = 6; // nm
-        const PhaseCases& cases = *answer.decided;
-        const QString from = Names::fixed(cases.stocks.from_mm, digits),
-                      to = Names::fixed(cases.stocks.to_mm, digits);
-        basis << (cases.corners > 0
-                      ? FoundTable::tr("decided for every stock of %1…%2 mm, also at %3 corners of "
-                                       "the batch")
-                            .arg(from, to, QLocale().toString(qlonglong(cases.corners)))
-                      : FoundTable::tr("decided for every stock of %1…%2 mm").arg(from, to));
+    basis.full
+        << FoundTable::tr("%1 a part on average").arg(OptimiseText::time(best.held->meanTime_s));
+    if (best.held->end) {
+        const QString end =
+            FoundTable::tr("the next part breaks: %1").arg(requirementText(*best.held->end));
+        basis.add(end, end);
+    } else if (!best.held->isEndless && !best.held->isAll) {
+        const QString end = FoundTable::tr("the next part does not reach its size");
+        basis.add(end, end);
+    }
+}
+
+/// The stocks that the answer is fit for.
+void addStocks(const FoundCycle& answer, Basis& basis) {
+    if (!answer.decided) {
+        basis.add(FoundTable::tr("fit for %1 random stocks, cycle no. %2 tried")
+                      .arg(freshPhaseCount)
+                      .arg(std::max(answer.candidate, 1)),
+                  FoundTable::tr("%1 random stocks").arg(freshPhaseCount));
+        return;
+    }
+    constexpr int digits = 6; // nm
+    const PhaseCases& cases = *answer.decided;
+    const QString from = Names::fixed(cases.stocks.from_mm, digits),
+                  to = Names::fixed(cases.stocks.to_mm, digits);
+    if (cases.corners > 0) {
+        basis.add(FoundTable::tr("decided for every stock of %1…%2 mm, also at %3 corners of the "
+                                 "batch")
+                      .arg(from, to, QLocale().toString(qlonglong(cases.corners))),
+                  FoundTable::tr("every stock and corner"));
     } else {
-        basis << FoundTable::tr("fit for %1 random stocks, cycle no. %2 tried")
-                     .arg(freshPhaseCount)
-                     .arg(std::max(answer.candidate, 1));
+        basis.add(FoundTable::tr("decided for every stock of %1…%2 mm").arg(from, to),
+                  FoundTable::tr("every stock"));
     }
-    if (const FreshParts& parts = answer.freshParts; parts.tried > 0) {
-        basis << FoundTable::tr("all %1 random parts are good, cycle no. %2 tried")
-                     .arg(parts.tried)
-                     .arg(std::max(answer.candidate, 1));
-        if (parts.ppk) {
-            basis << (parts.isCapable
-                          ? FoundTable::tr("Ppk at least %1")
-                          : FoundTable::tr("Ppk at least %1, too low for the batch: no cycle "
-                                           "found meets it"))
-                         .arg(Names::fixed(*parts.ppk, 2));
-        }
+}
+
+void addRobustBasis(const SearchOutcome& outcome, const FoundCycle& answer, Basis& basis) {
+    if (!outcome.marginWithin_us && !outcome.proved()) {
+        basis.full << FoundTable::tr("scenarios added: %1").arg(added(outcome));
     }
-    return basis;
+    addStocks(answer, basis);
+    const FreshParts& parts = answer.freshParts;
+    if (parts.tried == 0) {
+        return;
+    }
+    basis.add(FoundTable::tr("all %1 random parts are good, cycle no. %2 tried")
+                  .arg(parts.tried)
+                  .arg(std::max(answer.candidate, 1)),
+              FoundTable::tr("parts good"));
+    if (parts.ppk) {
+        const QString ppk = Names::fixed(*parts.ppk, 2),
+                      brief = QStringLiteral("Ppk\u00a0≥\u00a0%1").arg(ppk);
+        parts.isCapable
+            ? basis.add(FoundTable::tr("Ppk at least %1").arg(ppk), brief)
+            : basis.add(FoundTable::tr("Ppk at least %1, too low for the batch: no cycle found "
+                                       "meets it")
+                            .arg(ppk),
+                        FoundTable::tr("%1, too low", "Ppk").arg(brief));
+    }
 }
 
 AnswerRow foundRow(const SearchOutcome& outcome, const FoundCycle& found, AnswerRow row) {
@@ -281,7 +324,7 @@ AnswerRow foundRow(const SearchOutcome& outcome, const FoundCycle& found, Answer
     if (row.isAnswer && outcome.robust) {
         row.stocksFailing = outcome.mostStocksFailing();
         row.partsBad = outcome.mostPartsBad();
-        row.basis << robustBasis(outcome, found);
+        addRobustBasis(outcome, found, row.basis);
     }
     return row;
 }
@@ -312,7 +355,7 @@ std::optional<AnswerRow> boundRow(const SearchOutcome& outcome) {
     AnswerRow row{.key = "bound", .name = FoundTable::tr("Bound of the grid")};
     if (!outcome.wear || !outcome.best()->held) {
         row.time_s = outcome.search.bound_s;
-        row.basis << FoundTable::tr("none is quicker");
+        row.basis.full << FoundTable::tr("none is quicker");
         return row;
     }
     if (!outcome.interval->bound) {
@@ -320,10 +363,10 @@ std::optional<AnswerRow> boundRow(const SearchOutcome& outcome) {
     }
     if (outcome.objective() == SearchObjective::cost) {
         row.cost = outcome.interval->bound;
-        row.basis << FoundTable::tr("none is cheaper");
+        row.basis.full << FoundTable::tr("none is cheaper");
     } else {
         row.held.emplace().parts = std::llround(*outcome.interval->bound);
-        row.basis << FoundTable::tr("none is fit for more parts");
+        row.basis.full << FoundTable::tr("none is fit for more parts");
     }
     return row;
 }
@@ -340,15 +383,19 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
     const FoundCycle& best = *outcome.best();
     if (outcome.robust && outcome.robust->nominalTime_s > 0) {
         const double nominal_s = outcome.robust->nominalTime_s;
-        rows.push_back({.key = "nominal",
-                        .name = FoundTable::tr("Nominal part alone"),
-                        .time_s = nominal_s,
-                        .basis = {FoundTable::tr("robustness costs %1 % of time")
-                                      .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}});
+        rows.push_back(
+            {.key = "nominal",
+             .name = FoundTable::tr("Nominal part alone"),
+             .time_s = nominal_s,
+             .basis = {.full = {FoundTable::tr("robustness costs %1 % of time")
+                                    .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}}});
     }
-    QStringList basis{proofOf(outcome)};
+    Basis basis{{proofOf(outcome)}, {briefProof(outcome)}};
+    if (!outcome.robust) {
+        basis.add(nominalBasis(), nominalBasis());
+    }
     if (outcome.wear) {
-        basis << wearBasis(best);
+        addWearBasis(best, basis);
     }
     rows.push_back(foundRow(
         outcome, best, {.key = "best", .name = answerName(outcome), .basis = std::move(basis)}));
@@ -357,11 +404,12 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
         rows.push_back(foundRow(outcome, *refined,
                                 {.key = "refined",
                                  .name = between,
-                                 .basis = {FoundTable::tr("that none is quicker is not proved")}}));
+                                 .basis = {{FoundTable::tr("that none is quicker is not proved")},
+                                           {FoundTable::tr("not proved")}}}));
     } else if (outcome.refinement) {
         rows.push_back({.key = "refined",
                         .name = between,
-                        .basis = {FoundTable::tr("nothing quicker was found")}});
+                        .basis = {.full = {FoundTable::tr("nothing quicker was found")}}});
     }
     if (std::optional<AnswerRow> bound = boundRow(outcome)) {
         rows.push_back(std::move(*bound));
@@ -370,7 +418,7 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
         rows.push_back({.key = "limit",
                         .name = FoundTable::tr("Limit"),
                         .time_s = outcome.limit.time_s,
-                        .basis = limitBasis(outcome)});
+                        .basis = {limitBasis(outcome), {FoundTable::tr("a stepless cycle")}}});
     }
     return rows;
 }
@@ -379,6 +427,13 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
 ValueCell mostCell(const std::optional<double>& share) {
     return ValueCell::of(share ? std::optional(std::ceil(*share * 1e4) / 1e2) : std::nullopt,
                          [](double percent) { return Names::fixed(percent, 2); });
+}
+
+ValueCell basisCell(const Basis& basis) {
+    const QString separator = QStringLiteral("; "), full = basis.full.join(separator);
+    return {.text = basis.brief.isEmpty() ? full : basis.brief.join(separator),
+            .said = full,
+            .value = full};
 }
 
 } // namespace
@@ -429,7 +484,11 @@ ValueTable answerTable(const SearchOutcome& outcome, std::optional<double> befor
                                    "all parts tried were good"),
              .key = "batch"});
     }
-    table.columns.push_back({.text = FoundTable::tr("Basis"), .key = "basis", .isText = true});
+    table.columns.push_back({.text = FoundTable::tr("Basis"),
+                             .tip = FoundTable::tr("The tool tip of a cell has the whole text"),
+                             .key = "basis",
+                             .isText = true,
+                             .isPlain = true});
     for (const AnswerRow& row : answerRows(outcome, before_s, beforeMargin)) {
         std::vector<ValueCell> cells{{.text = row.name},
                                      timeCell(row.time_s, unit),
@@ -444,7 +503,7 @@ ValueTable answerTable(const SearchOutcome& outcome, std::optional<double> befor
         if (hasParts) {
             cells.push_back(mostCell(row.partsBad));
         }
-        cells.push_back({.text = row.basis.join(QStringLiteral("; "))});
+        cells.push_back(basisCell(row.basis));
         table.addRow({.text = row.name, .key = row.key, .isStrong = row.isAnswer},
                      std::move(cells));
     }

@@ -4,6 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -49,6 +50,9 @@ protected:
     }
     [[nodiscard]] std::string requirement(ConstraintKind kind) const override {
         return Names::inSentence(Names::constraint(kind)).toStdString();
+    }
+    [[nodiscard]] std::string exceptions(const std::vector<Undecided>& undecided) const override {
+        return JudgementText::exceptions(undecided).toStdString();
     }
 
 public:

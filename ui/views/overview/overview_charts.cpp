@@ -31,7 +31,7 @@ using style::Drawn;
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double mostUsage = 200; ///< greatest drawn usage [%]
 
-QString threeDigits(double value) {
+QString significantText(double value) {
     return Names::significant(value);
 }
 
@@ -77,10 +77,6 @@ std::vector<std::size_t> stepsTaken(const Outcome& outcome) {
         }
     }
     return steps;
-}
-
-double shareOrNone(const std::optional<double>& value) {
-    return value ? 100 * *value : noNumber;
 }
 
 } // namespace
@@ -137,7 +133,7 @@ BarChart OverviewCharts::times(const Outcome& outcome) {
     chart.isLying = true;
     chart.what = tr("Stage");
     chart.axis = tr("Time");
-    chart.number = threeDigits;
+    chart.number = significantText;
     const std::vector<std::size_t> stages = stagesShown(outcome);
     for (const std::size_t stage : stages) {
         chart.categories << tr("Stage %1").arg(stage + 1);
@@ -186,7 +182,7 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
     chart.what = tr("Stage and zone");
     chart.axis = tr("Removed per side");
     chart.unit = unitText("µm");
-    chart.number = threeDigits;
+    chart.number = significantText;
     chart.series = stepSeries(outcome);
     chart.hasTotals = chart.series.size() > 1;
     chart.remark = QStringList{stagesRemark(outcome), sectionsRemark(outcome)}.join(u' ').trimmed();
@@ -419,7 +415,7 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     chart.axis = tr("Machining time");
     chart.secondAxis = tr("Minimum margin");
     chart.secondUnit = QStringLiteral("%");
-    chart.number = threeDigits;
+    chart.number = significantText;
     chart.secondNumber = [](double value) {
         return Names::fixed(value, std::abs(value) < 10 ? 1 : 0);
     };
@@ -429,8 +425,14 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     for (const RunBars& run : runs) {
         chart.categories << run.name;
         chart.series[0].values.push_back(run.time_min.value_or(noNumber) * units::secondsPerMinute);
-        chart.series[1].values.push_back(shareOrNone(run.margin));
+        const std::optional<ConstraintResult>& least = run.least;
+        chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
+        chart.secondNames << (least ? QStringLiteral("%1, %2").arg(
+                                  Names::inSentence(Names::constraint(least->kind)),
+                                  Names::within(Names::where(*least)))
+                                    : QString());
     }
+    chart.secondOf = tr("Requirement");
     chart.fitTimeUnit();
     const int shown = static_cast<int>(runs.size()) - 1;
     QStringList remarks{tr("Margin: that of the requirement nearest to its limit of those that are "

@@ -33,7 +33,8 @@ inline constexpr std::array allOverviewCharts{OverviewChart::times,     Overview
 /// The bars of a run; values are empty if unknown.
 struct RunBars {
     QString name;
-    std::optional<double> time_min, margin; ///< the margin is a share
+    std::optional<double> time_min = {};
+    std::optional<ConstraintResult> least = {}; ///< the requirement with the minimum margin
 };
 
 /// The content of the view "Overview" as values, also drawn in the passport. A chart without data

@@ -39,11 +39,6 @@ constexpr std::array tileNames{"overviewTimes",        "overviewStock", "overvie
                                "overviewRuns"};
 static_assert(tileNames.size() == allOverviewCharts.size());
 
-std::optional<double> marginOf(const RunSummary& summary, const Project* inputs) {
-    const std::optional<ConstraintResult> least = leastMargin(summary, inputs);
-    return least ? std::optional(least->relativeMargin) : std::nullopt;
-}
-
 } // namespace
 
 OverviewView::OverviewView(const KeptRuns& kept, QWidget* parent, Settings* settings)
@@ -239,14 +234,14 @@ void OverviewView::showBatch() {
 /// The current run, then the newest kept ones.
 std::vector<RunBars> OverviewView::shownRuns() const {
     const RunSummary present = summarise(good()->result, good()->accuracy, good()->constraints);
-    std::vector<RunBars> shown{
-        {tr("current", "run"), present.cycle_time_min, marginOf(present, &good()->result.project)}};
+    std::vector<RunBars> shown{{tr("current", "run"), present.cycle_time_min,
+                                leastMargin(present, &good()->result.project)}};
     for (int run = std::max(m_kept.count() - OverviewCharts::mostRuns, 0); run < m_kept.count();
          ++run) {
         const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
-        RunBars bars{printableText(runName(kept.name)), {}, {}};
+        RunBars bars{printableText(runName(kept.name))};
         if (const ReadSummary* const read = m_kept.summary(run)) {
-            bars.margin = marginOf(read->summary, m_kept.inputs(run));
+            bars.least = leastMargin(read->summary, m_kept.inputs(run));
             if (!read->missing.contains("/cycle_time_min")) {
                 bars.time_min = read->summary.cycle_time_min;
             }

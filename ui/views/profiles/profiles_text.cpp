@@ -16,13 +16,10 @@ namespace sparkout {
 namespace {
 
 /// µm with three decimals, the resolution of the magnified profiles.
-QString um(double value_mm, int decimals = 3) {
-    return Names::fixed(value_mm * units::umPerMm, decimals);
-}
-
 QString signedUm(double value_mm, int decimals = 3) {
-    const bool positive = value_mm * units::umPerMm >= 0.5 * std::pow(10.0, -decimals);
-    return (positive ? QStringLiteral("+") : QString()) + um(value_mm, decimals);
+    const double value_um = value_mm * units::umPerMm;
+    const bool positive = value_um >= 0.5 * std::pow(10.0, -decimals);
+    return (positive ? QStringLiteral("+") : QString()) + Names::fixed(value_um, decimals);
 }
 
 QString range(double low_mm, double high_mm, int decimals = 3) {
@@ -30,14 +27,9 @@ QString range(double low_mm, double high_mm, int decimals = 3) {
     return low == high ? low : low + QChar(0x2026) + high;
 }
 
-/// Short text of a value to which the machine adds: if that is not known, at least the process's
-/// own value, and a dash if it rounds to 0.
-QString ofProcess(double value_mm, bool knowsMachine) {
-    constexpr int decimals = 2;
-    constexpr double rounded_um = 0.005;
-    return knowsMachine                             ? um(value_mm, decimals)
-           : value_mm * units::umPerMm < rounded_um ? QStringLiteral("—")
-                                                    : QStringLiteral("≥ ") + um(value_mm, decimals);
+/// A value to which the machine adds its own.
+QString formUm(double value_mm, bool knowsMachine, int decimals = 3) {
+    return Names::formAmount(value_mm * units::umPerMm, knowsMachine, decimals);
 }
 
 } // namespace
@@ -57,13 +49,12 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
     }
     const int decimals = brief ? 2 : 3;
     const QString diameters = range(profile.diameterMin_mm, profile.diameterMax_mm, decimals);
-    const QString runout = um(profile.radialRunout_mm, decimals);
+    const QString runout = formUm(profile.radialRunout_mm, series.knowsRunout, decimals);
     const bool out = outOfField(series, profile);
     if (brief) {
         return tr("ΔD %1 %2", "deviations of the diameter in µm, short; then ✓ or ✗")
                    .arg(diameters, out ? QStringLiteral("✗") : QStringLiteral("✓"))
-               + u'\n'
-               + tr("runout %1 µm").arg(ofProcess(profile.radialRunout_mm, series.knowsRunout));
+               + u'\n' + tr("runout %1 µm").arg(runout);
     }
     return (out ? tr("✗ Diameter %1 µm: outside the field") : tr("✓ Diameter %1 µm: in the field"))
                .arg(diameters)
@@ -72,11 +63,11 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
 
 QString ProfilesText::roundness(const RoundnessZone& zone, bool brief, bool knowsMachine) {
     const int decimals = brief ? 2 : 3;
-    const QString deviation = Names::amountFixed(zone.deviation() * units::umPerMm, decimals);
+    const QString deviation = formUm(zone.deviation(), knowsMachine, decimals);
     const QString eccentricity =
         Names::amountFixed(std::hypot(zone.x_mm, zone.y_mm) * units::umPerMm, decimals);
     if (brief) {
-        return tr("RONt %1, e %2 µm").arg(ofProcess(zone.deviation(), knowsMachine), eccentricity);
+        return tr("RONt %1, e %2 µm").arg(deviation, eccentricity);
     }
     return Names::ofMachine(tr("RONt %1 µm, eccentricity %2 µm").arg(deviation, eccentricity),
                             knowsMachine);
@@ -127,13 +118,13 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
                        .arg(Names::zone(profile.zone, profile.section), place,
                             range(mm(radius.min), mm(radius.max)), signedUm(mm(radius.mean)),
                             range(profile.diameterMin_mm, profile.diameterMax_mm),
-                            um(profile.radialRunout_mm));
+                            formUm(profile.radialRunout_mm, series.knowsRunout));
     text = Names::ofMachine(text, series.knowsRunout);
     if (series.isWhole && !series.zoneForms.empty()) {
         const ZoneForm& zone = series.zoneForms.at(static_cast<std::size_t>(profile.section));
         text += tr("; cylindricity %1 µm, total runout %2 µm, taper %3 µm")
-                    .arg(Names::amountFixed(zone.cylindricity_mm * units::umPerMm, 2),
-                         Names::amountFixed(zone.totalRunout_mm * units::umPerMm, 2),
+                    .arg(formUm(zone.cylindricity_mm, series.knowsRoundness, 2),
+                         formUm(zone.totalRunout_mm, series.knowsRunout, 2),
                          Names::signedMicrometres(zone.profile.taper_mm * units::umPerMm));
     }
     if (withBlank) {
@@ -390,10 +381,11 @@ ChartGrid SpectrumCharts::of(const ProfileSeries& series, const std::vector<int>
         const Profile& profile = series.profiles[static_cast<std::size_t>(index)];
         spectra.push_back(spectrumOf(profile.radii_mm, directions));
         LineChart chart;
-        chart.heading = chart.briefHeading = Names::zone(profile.zone, profile.section);
+        const QString name = Names::zone(profile.zone, profile.section);
+        chart.headings << name;
         chart.series = {barsOf(blank, ProfileLine::blank, -barShare / 2),
                         barsOf(spectra.back(), ProfileLine::profile, barShare / 2)};
-        chart.placeText = [name = chart.heading, blank, left = spectra.back()](double place) {
+        chart.placeText = [name, blank, left = spectra.back()](double place) {
             const auto n = std::lround(place);
             if (n < 1 || n >= std::ssize(left)) {
                 return QString();
@@ -407,7 +399,7 @@ ChartGrid SpectrumCharts::of(const ProfileSeries& series, const std::vector<int>
                                 "%4 µm"))
                 .arg(name, QString::number(n), um(left), um(blank));
         };
-        names << chart.heading;
+        names << name;
         grid.cells.push_back(std::move(chart));
     }
     double highest = 0; // one scale for all

@@ -76,7 +76,7 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (wantsBatch && !addBatch(subject, now.batch, row.takesBatch)) {
         return {};
     }
-    if (row.takesBatch && !addPrediction(subject, now.predicting)) {
+    if (row.judgesBatch && !addPrediction(subject, now.predicting)) {
         return {};
     }
     if (row.takesBatch && now.setup) {

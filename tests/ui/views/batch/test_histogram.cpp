@@ -125,11 +125,31 @@ private slots:
         show(plot, summary);
         const QString heading = plot.heading(0)->text();
         QVERIFY(heading.startsWith(QStringLiteral("RZ1")));
-        QVERIFY(heading.endsWith(QString::number(diameter(summary, 0).ppk->value, 'f', 2)));
+        const QString ppk = QString::number(diameter(summary, 0).ppk->value, 'f', 2);
+        QVERIFY(heading.endsWith(ppk));
+        QCOMPARE(heading, QStringLiteral("RZ1, mean diameter: Ppk ") + ppk);
+        QStringList shown; // with more and more room
+        for (const int width : {330, 480, 600, 900}) {
+            plot.resize(width, 300);
+            show(plot, summary);
+            shown << plot.heading(0)->text();
+        }
+        shown.removeDuplicates();
+        const QStringList all = plot.chart(0).headings;
+        QCOMPARE(all, (QStringList{QStringLiteral("RZ1, mean diameter: Ppk ") + ppk,
+                                   QStringLiteral("RZ1, diameter: Ppk ") + ppk,
+                                   QStringLiteral("RZ1, Ppk ") + ppk, QStringLiteral("RZ1")}));
+        QVERIFY2(shown.size() >= 3, qPrintable(shown.join(u'\n')));
+        qsizetype before = all.size();
+        for (const QString& text : shown) {
+            const qsizetype at = all.indexOf(text);
+            QVERIFY2(at >= 0 && at < before, qPrintable(text));
+            before = at;
+        }
         QCOMPARE(plot.caption()->text(), QStringLiteral("Mean diameter, µm"));
         QCOMPARE(plot.up().label(), QStringLiteral("Parts"));
         const ChartGrid plain = BatchCharts::histograms(summary, "diameter", false);
-        QCOMPARE(plain.cells[0].heading, QStringLiteral("RZ1"));
+        QCOMPARE(plain.cells[0].headings, QStringList(QStringLiteral("RZ1")));
         show(plot, {});
         QCOMPARE(plot.cellCount(), 0U);
         plot.fit();

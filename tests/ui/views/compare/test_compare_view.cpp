@@ -15,6 +15,7 @@
 #include "ui/text/example_texts.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/language.h"
+#include "ui/text/names.h"
 #include "ui/views/compare/runs_panel.h"
 #include "ui/window/file_commands.h"
 
@@ -75,6 +76,32 @@ private slots:
         QVERIFY(largest);
         QCOMPARE(std::get<double>(largest->cells[0]),
                  desk.outcome->result.sections[1].diameterDeviationMax_mm * 1e3);
+    }
+
+    /// As in all other tables: the ratio to the nearer end of the machine's range, without a unit.
+    void theMarginOfASettingIsARatio() {
+        Project project = fixtures::traverseProject();
+        project.machine->limits.axial_feed_mm_min = std::vector<double>{100, 10'000, 1};
+        project.cycle->stages[1].axial_feed_mm_min = 300;
+        Desk desk(project);
+        desk.keep();
+        desk.change([](Project& of) { of.cycle->stages[1].axial_feed_mm_min = 400; });
+        const QString name =
+            QStringLiteral("Margin › ") + Names::constraint(ConstraintKind::rangeAxialFeed);
+        const RunRow* const margin = desk.find(name);
+        QVERIFY(margin);
+        QCOMPARE(margin->shown, (QStringList{QStringLiteral("4×"), QStringLiteral("3×")}));
+        QCOMPARE(margin->unit, QString());
+        QCOMPARE(std::get<double>(margin->cells[0]), 4.0);
+        QCOMPARE(std::get<double>(margin->cells[1]), 3.0);
+        const std::vector<ConstraintResult> worst = worstByKind(desk.outcome->constraints);
+        const auto present =
+            std::ranges::find(worst, ConstraintKind::rangeAxialFeed, &ConstraintResult::kind);
+        QCOMPARE(Names::margin(*present), margin->shown[0]);
+        // Where only more digits differ than are stated, there is no row.
+        desk.change([](Project& of) { of.cycle->stages[1].axial_feed_mm_min = 301; });
+        QVERIFY(!desk.find(name));
+        QVERIFY(desk.find(QStringLiteral("Cycle › Stages › Stage 2 › Axial feed")));
     }
 
     void aStageThatOnlyOneRunHasStandsBesideADash() {

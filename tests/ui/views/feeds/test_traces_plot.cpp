@@ -71,11 +71,12 @@ private slots:
         TracesPlot& traces = shown.traces();
         QVERIFY(traces.isVisible());
         QCOMPARE(traces.cellCount(), std::size_t{2});
-        QVERIFY2(traces.chart(0).heading.contains(QStringLiteral("size at the gauge: RMS "))
-                     && traces.chart(0).heading.endsWith(QStringLiteral("µm")),
-                 qPrintable(traces.chart(0).heading));
-        QVERIFY2(traces.chart(1).heading.endsWith(QStringLiteral("kW")),
-                 qPrintable(traces.chart(1).heading));
+        QVERIFY2(
+            traces.chart(0).headings.value(0).contains(QStringLiteral("size at the gauge: RMS "))
+                && traces.chart(0).headings.value(0).endsWith(QStringLiteral("µm")),
+            qPrintable(traces.chart(0).headings.value(0)));
+        QVERIFY2(traces.chart(1).headings.value(0).endsWith(QStringLiteral("kW")),
+                 qPrintable(traces.chart(1).headings.value(0)));
         for (const auto key :
              {TracesPlot::measuredKey, TracesPlot::simulatedKey, TracesPlot::differenceKey}) {
             QVERIFY(hasEntry(*shown.view, key));
@@ -161,14 +162,14 @@ private slots:
 
     void anotherInputMovesTheSimulatedCurve() {
         Shown shown(traced::project());
-        const QString before = shown.traces().chart(0).heading;
+        const QString before = shown.traces().chart(0).headings.value(0);
         Project changed = shown.bench.window->document().project();
         const Project truth = traced::truth();
         changed.machine->compliance_mm_per_n = truth.machine->compliance_mm_per_n;
         changed.wheel->dullness = truth.wheel->dullness;
         shown.bench.window->document().edit(changed, {});
         shown.wait();
-        QVERIFY(shown.traces().chart(0).heading != before);
+        QVERIFY(shown.traces().chart(0).headings.value(0) != before);
         changed.measured.reset();
         shown.bench.window->document().edit(changed, {});
         shown.wait();
@@ -198,7 +199,7 @@ private slots:
         QVERIFY2(narrow.isEmpty(), qPrintable(narrow.join(u'\n')));
         if (language == u"ru") {
             for (std::size_t i = 0; i < shown.traces().cellCount(); ++i) {
-                QVERIFY(englishIn(shown.traces().chart(i).heading).isEmpty());
+                QVERIFY(englishIn(shown.traces().chart(i).headings.value(0)).isEmpty());
             }
             for (const LegendEntry& entry : shown.traces().legendEntries()) {
                 QVERIFY(englishIn(entry.text).isEmpty());

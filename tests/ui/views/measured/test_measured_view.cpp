@@ -3,6 +3,7 @@
 // Measurements on their way into a project, as a user brings them: by the file dialog, from the
 // clipboard, typed; and what the view "Measured" says of the model.
 #include "core/adequacy/adequacy.h"
+#include "core/identification/hold_out.h"
 #include "core/project/batch.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
@@ -10,10 +11,12 @@
 #include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/traced_project.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/measured/import_dialog.h"
+#include "ui/measured/measured_text.h"
 #include "ui/views/measured/measured_view.h"
 #include "ui/views/overview/overview_tile.h"
 #include "ui/views/overview/overview_view.h"
@@ -381,6 +384,32 @@ private slots:
             desk.bench.action("undo")->trigger();
         }
         QVERIFY(!desk.measured());
+    }
+
+    /// Without parts to compare, the sentence stands below that of the traces.
+    void aCycleThatTheCalibrationHasNotUsedIsPredicted() {
+        const Desk desk;
+        QVERIFY(desk.opened);
+        const Project project = traced::heldOut();
+        const QStringList sentences = MeasuredText::holdOut(project, holdOut(project));
+        QCOMPARE(sentences.size(), 1);
+        QVERIFY2(sentences.front().startsWith(
+                     QStringLiteral("Not used for the calibration, second.csv: time from ")),
+                 qPrintable(sentences.front()));
+        desk.bench.window->document().startUntitled(project);
+        const auto* notice = desk.view->findChild<QLabel*>(QStringLiteral("measuredNotice"));
+        QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(sentences.front()), patience_ms);
+        // Both verdicts have their sentence.
+        HoldOutRow row{0, HoldOutQuantity::time, 10.5, 10.2, {10, 10.6}, {-0.1, 0.5}};
+        QVERIFY(MeasuredText::holdOut(project, {row})
+                    .front()
+                    .endsWith(QStringLiteral(
+                        ": 10.5 s, predicted 10.2 (10.0…10.6). The prediction agrees.")));
+        row.difference95 = {0.1, 0.5};
+        QVERIFY(MeasuredText::holdOut(project, {row})
+                    .front()
+                    .endsWith(QStringLiteral(": 10.5 s, predicted 10.2 (10.0…10.6). The prediction "
+                                             "does not agree: the difference is 0.100…0.500 s.")));
     }
 
     void rowsAreRemoved() {

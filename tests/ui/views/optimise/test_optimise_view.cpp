@@ -16,6 +16,7 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/session/studies.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/views/optimise/found_table.h"
@@ -28,17 +29,21 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QFont>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QTest>
 
 #include <algorithm>
+#include <memory>
 #include <string_view>
+#include <variant>
 
 namespace sparkout::test_optimise_view {
 
@@ -53,10 +58,40 @@ std::size_t placeOf(const List& heads, const char* key) {
     return static_cast<std::size_t>(at - heads.begin());
 }
 
-QString cellOf(const ValueTable& table, const char* row, const char* column) {
+/// Empty where there is none.
+ValueCell wholeCellOf(const ValueTable& table, const char* row, const char* column) {
     const std::size_t line = placeOf(table.rows, row), at = placeOf(table.columns, column);
-    return line < table.rows.size() && at < table.columns.size() ? table.cells[line][at].text
-                                                                 : QString();
+    return line < table.rows.size() && at < table.columns.size() ? table.cells[line][at]
+                                                                 : ValueCell();
+}
+
+/// As it is spoken and copied.
+QString cellOf(const ValueTable& table, const char* row, const char* column) {
+    const ValueCell cell = wholeCellOf(table, row, column);
+    return cell.said.isEmpty() ? cell.text : cell.said;
+}
+
+/// A proved answer for the corners of a batch, with the Ppk of its parts.
+SearchOutcome robustAnswer() {
+    SearchOutcome outcome;
+    outcome.project = outcome.searched = fixtures::searchedShaft();
+    outcome.search.status = SearchStatus::proved;
+    outcome.binding.emplace().push_back(ConstraintKind::diameterMin);
+    outcome.limit.time_s = 30;
+    outcome.limit.cycles.sparkOut = true;
+    RobustSummary& robust = outcome.robust.emplace();
+    robust.holdsInSample = true;
+    robust.nominalTime_s = 40;
+    robust.added.resize(3);
+    FoundCycle& found = outcome.found.emplace_back();
+    found.cycle = *outcome.project.cycle;
+    found.machine = machineSettings(outcome.project);
+    found.time_s = 50;
+    found.isBest = true;
+    found.candidate = 2;
+    found.decided = PhaseCases{{0.149, 0.151}, 8};
+    found.freshParts = {.tried = 500, .ppk = 1.234};
+    return outcome;
 }
 
 /// The head of the column of times.
@@ -71,7 +106,8 @@ QString timeBeside(double time_s, double longest_s) {
 
 /// A window with the view in sight.
 struct Desk {
-    explicit Desk(const Project& project) : bench(QStringLiteral("en")) {
+    explicit Desk(const Project& project, const QString& language = QStringLiteral("en"))
+        : bench(language) {
         bench.window->document().startUntitled(project);
         bench.window->showView(QStringLiteral("optimise"));
         bench.window->inputs().showPage(searchPage);
@@ -182,6 +218,7 @@ private slots:
         QCOMPARE(desk.answered("best", "margin"), desk.cell(0, FoundColumn::margin));
         QVERIFY2(desk.answered("best", "basis").contains(QStringLiteral("none is quicker, proved")),
                  qPrintable(desk.answered("best", "basis")));
+        QVERIFY(desk.answered("best", "basis").contains(QStringLiteral("nominal part only")));
         QCOMPARE(desk.answered("yours", "time"), text(desk.view->before_s().value()));
         QCOMPARE(desk.answered("limit", "time"), text(desk.view->search()->limit.time_s));
         QVERIFY(!desk.told().contains(OptimiseText::time(engine.best->time_s))); // only there
@@ -577,6 +614,7 @@ private slots:
         const ValueTable third = answerTable(outcome, {});
         QCOMPARE(cellOf(third, "best", "stocks"), QStringLiteral("1.10"));
         QVERIFY(cellOf(third, "best", "basis").contains(QStringLiteral("cycle no. 3 tried")));
+        QVERIFY(!cellOf(third, "best", "basis").contains(QStringLiteral("nominal part only")));
         QVERIFY(cellOf(third, "best", "batch").isEmpty()); // no batch is searched
         found.decided = PhaseCases{{0.149, 0.151}, 8};
         found.freshParts = {.tried = 500, .ppk = 1.234};
@@ -594,6 +632,68 @@ private slots:
         const QString missed = cellOf(answerTable(outcome, {}), "best", "basis");
         QVERIFY2(missed.contains(QStringLiteral("Ppk at least 1.23, too low for the batch")),
                  qPrintable(missed));
+    }
+
+    /// The tip, speech and copies have the whole of it; only the name and numbers are bold.
+    void theBasisIsShownBriefly() {
+        SearchOutcome outcome = robustAnswer();
+        const ValueTable table = answerTable(outcome, 100);
+        const ValueCell basis = wholeCellOf(table, "best", "basis");
+        QCOMPARE(basis.text, QStringLiteral("proved; every stock and corner; parts good; "
+                                            "Ppk\u00a0≥\u00a01.23"));
+        QVERIFY2(
+            basis.said.contains(QStringLiteral("also at 8 corners of the batch"))
+                && basis.said.startsWith(QStringLiteral("proved for the part and the scenarios"))
+                && basis.said.endsWith(QStringLiteral("Ppk at least 1.23")),
+            qPrintable(basis.said));
+        QCOMPARE(std::get<QString>(basis.value), basis.said);
+        const ValueCell limit = wholeCellOf(table, "limit", "basis");
+        QCOMPARE(limit.text, QStringLiteral("a stepless cycle"));
+        QVERIFY(limit.said.contains(QStringLiteral("by a count of steps without feed")));
+        QCOMPARE(wholeCellOf(table, "nominal", "basis").text,
+                 cellOf(table, "nominal", "basis")); // there is room for it
+        ValueModel model;
+        model.setTable(table);
+        const auto best = static_cast<int>(placeOf(table.rows, "best"));
+        const auto at = [&](const char* column, int role) {
+            return model.index(best, static_cast<int>(placeOf(table.columns, column))).data(role);
+        };
+        QVERIFY(at("basis", Qt::ToolTipRole).toString().contains(QStringLiteral("8 corners")));
+        QVERIFY(at("basis", Qt::AccessibleTextRole).toString().endsWith(basis.said));
+        QVERIFY(!at("basis", Qt::FontRole).isValid());
+        QVERIFY(at("name", Qt::FontRole).value<QFont>().bold());
+        outcome.found[0].decided.reset();
+        outcome.found[0].freshParts.isCapable = false;
+        outcome.search.status = SearchStatus::stopped;
+        QCOMPARE(wholeCellOf(answerTable(outcome, 100), "best", "basis").text,
+                 QStringLiteral("not proved; 500 random stocks; parts good; "
+                                "Ppk\u00a0≥\u00a01.23, too low"));
+    }
+
+    /// In Russian, which is longer, every row of a robust answer is seen in the usual window.
+    void aRobustAnswerIsNotScrolled() {
+        const QLocale before;
+        const auto back = qScopeGuard([&before] { QLocale::setDefault(before); });
+        const Desk desk(fixtures::searchedShaft(), QStringLiteral("ru"));
+        QCOMPARE(desk.bench.window->size(), QSize(1366, 768));
+        Studies studies;
+        OptimiseView view(nullptr, nullptr, &studies); // with an answer that took no search
+        view.resize(desk.view->size());
+        view.setOutcome(desk.bench.window->outcome());
+        view.show();
+        QTRY_VERIFY(!view.curves()->runs().empty());
+        studies.search.take(std::make_shared<const SearchOutcome>(robustAnswer()));
+        emit studies.search.job().answered();
+        desk.bench.rest();
+        QCOMPARE(view.size(), desk.view->size());
+        auto& table = *view.findChild<CopyTable*>(QStringLiteral("optimiseAnswer"));
+        QVERIFY(table.isVisible() && !view.stale());
+        QCOMPARE(table.model()->rowCount(), 4);
+        QTRY_COMPARE(table.verticalScrollBar()->maximum(), 0);
+        QTRY_COMPARE(table.horizontalScrollBar()->maximum(), 0);
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            QTRY_VERIFY(table.rowHeight(row) < 3 * table.fontMetrics().lineSpacing());
+        }
     }
 
     /// What was found between the levels is the answer, in bold, and stands beside the grid's best.
@@ -691,6 +791,22 @@ private slots:
         QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
         outcome.binding->push_back(ConstraintKind::wheelPower);
         QVERIFY(!says("not known") && says("Limited by: "));
+    }
+
+    /// The words above the plots begin with what the verdict excepts.
+    void whatIsNotDecidedIsNamedFirst() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
+        QVERIFY(!OptimiseText::notes(outcome).contains(QStringLiteral("not decided")));
+        outcome.remarks.notDecided = {
+            {ConstraintKind::roughness, UndecidedReason::notCalibrated, {}}};
+        const QString text = OptimiseText::notes(outcome);
+        QVERIFY2(text.startsWith(QStringLiteral("Met, except roughness Ra: not decided. ")),
+                 qPrintable(text));
     }
 
     void anAnswerWithoutAMarginNamesItsRequirementAndTheInputThatAsksForOne() {

@@ -17,6 +17,7 @@
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/names.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/constraints/constraints_view.h"
 #include "ui/views/feeds/feeds_view.h"
@@ -28,6 +29,9 @@
 #include <QComboBox>
 #include <QScrollArea>
 #include <QToolButton>
+
+#include <variant>
+#include <vector>
 
 namespace sparkout::test_overview_view {
 
@@ -238,7 +242,22 @@ private slots:
         const RunSummary present =
             summarise(desk.outcome().result, desk.outcome().accuracy, desk.outcome().constraints);
         const Project& inputs = desk.outcome().result.project;
-        QCOMPARE(chart.value(1, 0), 100 * leastMargin(present, &inputs)->relativeMargin);
+        const ConstraintResult least = leastMargin(present, &inputs).value();
+        QCOMPARE(chart.value(1, 0), 100 * least.relativeMargin);
+        // The bar, and the table that is copied, say whose margin it is.
+        const QString whose = QStringLiteral("%1, %2").arg(
+            Names::inSentence(Names::constraint(least.kind)), Names::where(least));
+        for (const std::size_t run : {0u, 1u}) {
+            const QString told = chart.described(1, run);
+            QVERIFY2(told.contains(QStringLiteral("minimum margin (%1): ").arg(whose)),
+                     qPrintable(told));
+        }
+        const CsvTable table = chart.table([](std::size_t) { return true; });
+        QCOMPARE(table.header.last(), QStringLiteral("Requirement"));
+        for (const std::vector<CsvCell>& row : table.rows) {
+            QCOMPARE(qsizetype(row.size()), table.header.size());
+            QCOMPARE(std::get<QString>(row.back()), whose);
+        }
     }
 
     void theRunsOfAnExampleAreNamedInTheWindowsLanguage() {

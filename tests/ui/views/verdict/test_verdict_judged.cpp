@@ -34,7 +34,10 @@ JudgedRun judgedAs(const OutcomePtr& outcome, JudgedState state) {
                                     RunStatus::completed,
                                     worst};
     const std::int64_t bad = state == JudgedState::batchFails ? 17 : 0;
-    judgement.batch = JudgedBatch{50, bad, 1, clopperPearson(bad, 50, 0.95), 0, true};
+    if (state != JudgedState::batchNotRun) {
+        judgement.batch = JudgedBatch{50, bad, 1, clopperPearson(bad, 50, 0.95), 0, true};
+    }
+    judgement.measured = MeasuredBias{ConstraintKind::diameterMin, Zone::section, 1, 8.2};
     judgement.notDecided = {
         {ConstraintKind::roughness, UndecidedReason::notCalibrated, "/wheel/roughness_factor"}};
     judged.hasBatch = true;
@@ -55,8 +58,11 @@ private slots:
         row(JudgedState::fails, "Not met: minimum diameter by 10.70 µm");
         row(JudgedState::stocksFail, "Unfit for 34 % of stocks: minimum diameter by 10.70 µm");
         row(JudgedState::batchFails, "Rejects in the batch: 17 of 50 (21…49 %)");
+        row(JudgedState::measuredDiffer, "Met, but measured parts differ from the prediction: "
+                                         "diameter, Section 2, by +8.20 µm");
         row(JudgedState::undecided, "Met, except roughness Ra: not decided");
         row(JudgedState::close, "Met, close to the limit: minimum diameter, 4.0 %");
+        row(JudgedState::batchNotRun, "Fit for every stock; batch not run");
         row(JudgedState::batchHolds, "Fit for the batch: rejected 0 of 50 (≤ 7.1 %)");
         row(JudgedState::stocksHold, "Fit for every stock");
         row(JudgedState::nominal, "Nominal part only");
@@ -83,7 +89,9 @@ private slots:
         QVERIFY(image(JudgedState::fails) == image(JudgedState::batchFails));
         QVERIFY(image(JudgedState::fails) == image(JudgedState::stocksFail));
         QVERIFY(image(JudgedState::undecided) == image(JudgedState::close));
+        QVERIFY(image(JudgedState::undecided) == image(JudgedState::measuredDiffer));
         QVERIFY(image(JudgedState::batchHolds) == image(JudgedState::stocksHold));
+        QVERIFY(image(JudgedState::batchNotRun) == image(JudgedState::nominal));
         const std::vector<JudgedState> marks{JudgedState::notComputed, JudgedState::fails,
                                              JudgedState::close, JudgedState::stocksHold,
                                              JudgedState::nominal};
@@ -150,6 +158,8 @@ private slots:
             return text.replace(u'\u00a0', u' ');
         };
         QCOMPARE(said(JudgedState::stocksHold), QStringLiteral("Годен для всех припусков"));
+        QCOMPARE(said(JudgedState::batchNotRun),
+                 QStringLiteral("Годен для всех припусков; партия не рассчитана"));
         QCOMPARE(said(JudgedState::batchFails),
                  QStringLiteral("Брак в партии: 17 из 50 (21…49 %)"));
         QCOMPARE(said(JudgedState::batchHolds),
