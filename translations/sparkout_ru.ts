@@ -3017,6 +3017,14 @@ axial feed, mm/min</source>
     <context>
         <name>Example</name>
         <message>
+            <source>Bearing seat 35k6, starting cycle</source>
+            <translation>Посадочная шейка 35k6, исходный цикл</translation>
+        </message>
+        <message>
+            <source>Bearing seat 35k6</source>
+            <translation>Посадочная шейка 35k6</translation>
+        </message>
+        <message>
             <source>Bore 40H7, plunge with spark-out</source>
             <translation>Отверстие 40H7, врезание с выхаживанием</translation>
         </message>
