@@ -1839,8 +1839,8 @@
             <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message>
-            <source>Gap to the stepless limit</source>
-            <translation>Возможное сокращение до предела бесступенчатого цикла</translation>
+            <source>Excess over the stepless limit</source>
+            <translation>Превышение предела бесступенчатого цикла</translation>
         </message>
         <message>
             <source>No cycle of the grid is quicker than</source>
@@ -6424,6 +6424,18 @@ With another name both versions stay as they are.</source>
             <translation>ищется наименьшее время</translation>
         </message>
         <message>
+            <source>Rotation ratio off a whole number</source>
+            <translation>Отличие отношения частот от целого</translation>
+        </message>
+        <message>
+            <source>any rotation ratio</source>
+            <translation>любое отношение</translation>
+        </message>
+        <message>
+            <source>Minimum distance of n_k/n, the revolutions of the wheel for one of the work, from a whole number: the search leaves out work speeds that are nearer to one, at which waves of the wheel print onto one another.</source>
+            <translation>Наименьшее отличие n_к/n, числа оборотов круга на один оборот заготовки, от целого числа: поиск не рассматривает частоты вращения заготовки, при которых оно меньше и волны от круга ложатся одна на другую.</translation>
+        </message>
+        <message>
             <source>The search then returns the cycle farthest from its limits within this machining time: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
             <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
         </message>
@@ -8033,6 +8045,14 @@ With another name both versions stay as they are.</source>
             <translation>Частота вращения, выстои и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
+            <source>The rotation ratio is %1, nearer to a whole number than “%2” allows (%3): change it, or search “%4”.</source>
+            <translation>Отношение частот вращения круга и детали — %1, ближе к целому числу, чем допускает «%2» (%3): измените это значение или ищите и по «%4».</translation>
+        </message>
+        <message>
+            <source>With every work speed of the search the rotation ratio is nearer to a whole number than “%1” allows (%2): change it, or “%3”.</source>
+            <translation>При всех частотах вращения заготовки в поиске отношение частот круга и детали ближе к целому числу, чем допускает «%1» (%2): измените это значение или «%3».</translation>
+        </message>
+        <message>
             <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
@@ -8109,8 +8129,12 @@ With another name both versions stay as they are.</source>
             <translation>Нет запаса: %1. Чтобы найти цикл с запасом, задайте в поиске «%2».</translation>
         </message>
         <message>
-            <source>The rotation ratio of wheel and work is near a whole number, %1: waviness.</source>
-            <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
+            <source>The rotation ratio of wheel and work is near a whole number, %1: waviness. To rule that out, set “%2” in the search.</source>
+            <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость. Чтобы её исключить, задайте в поиске «%2».</translation>
+        </message>
+        <message>
+            <source>Work speeds left out because their rotation ratio is nearer to a whole number than “%1” allows: %2.</source>
+            <translation>Не рассматривались частоты вращения заготовки, при которых отношение частот ближе к целому числу, чем допускает «%1»: %2.</translation>
         </message>
         <message>
             <source>Stage %1: “%2” has the maximum level, %3;</source>

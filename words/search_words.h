@@ -68,6 +68,7 @@ private:
                                      std::initializer_list<std::string> values) const;
     [[nodiscard]] std::string names(const std::vector<ConstraintKind>& kinds) const;
     [[nodiscard]] std::string within(const SearchOutcome& outcome) const;
+    [[nodiscard]] std::string wholeRatio(const Project& project) const;
     [[nodiscard]] std::string timeAnswer(const SearchOutcome& outcome) const;
     [[nodiscard]] std::string marginAnswer(const SearchOutcome& outcome) const;
     void addIntervalAnswer(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
@@ -76,6 +77,7 @@ private:
     void addBinding(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addSettingEdges(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addSpeedsLeftOut(const Project& searched, std::vector<std::string>& lines) const;
     void addRemarks(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRobustness(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
 };
