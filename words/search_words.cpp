@@ -338,10 +338,12 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
                + filled(SPARKOUT_NOOP("Search", "%1 (%2 times)"),
                         {requirement(cuts[i].first), whole(cuts[i].second)});
     }
-    return cut.empty()
-               ? why()
-               : why() + ' '
-                     + filled(SPARKOUT_NOOP("Search", "Excluded most often by: %1."), {cut});
+    std::string text = why();
+    if (!cut.empty()) {
+        text += ' ' + filled(SPARKOUT_NOOP("Search", "Excluded most often by: %1."), {cut});
+    }
+    const std::string leftOut = speedsLeftOut(outcome.searched);
+    return leftOut.empty() ? text : text + ' ' + leftOut;
 }
 
 std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
@@ -576,21 +578,26 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
         lines.push_back(std::move(line));
     }
     addSettingEdges(outcome, lines);
-    addSpeedsLeftOut(outcome.searched, lines);
+    if (std::string leftOut = speedsLeftOut(outcome.searched); !leftOut.empty()) {
+        lines.push_back(std::move(leftOut));
+    }
 }
 
-void SearchWording::addSpeedsLeftOut(const Project& searched,
-                                     std::vector<std::string>& lines) const {
+/// The work speeds whose rotation ratio is ruled out; empty if none is.
+std::string SearchWording::speedsLeftOut(const Project& searched) const {
+    if (!searched.optimisation) {
+        return {};
+    }
     std::string speeds;
     for (const double work_rpm : searchedSpeeds(searched).leftOut) {
-        speeds += (speeds.empty() ? "" : ", ") + number(work_rpm);
+        speeds += (speeds.empty() ? "" : "; ") + number(work_rpm);
     }
-    if (!speeds.empty()) {
-        lines.push_back(filled(SPARKOUT_NOOP("Search", "Work speeds left out because their "
-                                                       "rotation ratio is nearer to a whole number "
-                                                       "than “%1” allows: %2."),
-                               {setting("least_ratio_distance"), speeds}));
-    }
+    return speeds.empty()
+               ? speeds
+               : filled(SPARKOUT_NOOP("Search", "Work speeds left out because their rotation ratio "
+                                                "is nearer to a whole number than “%1” allows: "
+                                                "%2."),
+                        {setting("least_ratio_distance"), speeds});
 }
 
 void SearchWording::addSettingEdges(const SearchOutcome& outcome,

@@ -69,6 +69,7 @@ private:
     [[nodiscard]] std::string names(const std::vector<ConstraintKind>& kinds) const;
     [[nodiscard]] std::string within(const SearchOutcome& outcome) const;
     [[nodiscard]] std::string wholeRatio(const Project& project) const;
+    [[nodiscard]] std::string speedsLeftOut(const Project& searched) const;
     [[nodiscard]] std::string timeAnswer(const SearchOutcome& outcome) const;
     [[nodiscard]] std::string marginAnswer(const SearchOutcome& outcome) const;
     void addIntervalAnswer(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
@@ -77,7 +78,6 @@ private:
     void addBinding(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addSettingEdges(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
-    void addSpeedsLeftOut(const Project& searched, std::vector<std::string>& lines) const;
     void addRemarks(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
     void addRobustness(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
 };

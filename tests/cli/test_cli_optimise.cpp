@@ -207,6 +207,12 @@ private slots:
                            "number than “least_ratio_distance” allows: 191.")
                      && !has(text, "waviness"),
                  text.c_str());
+        file["part"]["tolerance"]["radial_runout_um"] = 1e-6; // which no cycle meets
+        const Outcome none = optimize({save("no_ratio.sparkout", file)});
+        QCOMPARE(none.status, 5);
+        QVERIFY2(has(none.err, "No cycle of the grid meets every requirement.")
+                     && has(none.err, "Work speeds left out"),
+                 none.err.c_str());
     }
 
     /// Of two dwells the answer has one: at that edge of its levels.
