@@ -2184,10 +2184,6 @@
             <translation>Продольная подача, мм/мин</translation>
         </message>
         <message>
-            <source>T, min</source>
-            <translation>T, мин</translation>
-        </message>
-        <message>
             <source>m*</source>
             <translation>m*</translation>
         </message>
@@ -13520,8 +13516,8 @@ With another name both versions stay as they are.</source>
             <translation>К вашему, %</translation>
         </message>
         <message>
-            <source>Gap, %</source>
-            <translation>Резерв, %</translation>
+            <source>Excess, %</source>
+            <translation>Превышение, %</translation>
         </message>
         <message>
             <source>Margin, %</source>
@@ -16290,16 +16286,16 @@ target, µm</source>
             <translation>Ступени</translation>
         </message>
         <message>
-            <source>Quickest cycle, min</source>
-            <translation>Самый быстрый цикл, мин</translation>
+            <source>Time of the quickest cycle</source>
+            <translation>Время самого быстрого цикла</translation>
         </message>
         <message>
-            <source>None is below, min</source>
-            <translation>Быстрее нет, мин</translation>
+            <source>None is below</source>
+            <translation>Быстрее нет</translation>
         </message>
         <message>
-            <source>Stepless limit, min</source>
-            <translation>Предел бесступенчатого цикла, мин</translation>
+            <source>Stepless limit</source>
+            <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message numerus="yes">
             <source>%n stage(s)</source>
@@ -16559,8 +16555,8 @@ target, µm</source>
             <translation>Шагов ступени %1</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Minimum deviation of the diameter, µm</source>
@@ -18628,20 +18624,12 @@ good</source>
             <translation>⌀, мм</translation>
         </message>
         <message>
-            <source>Cycle, min</source>
-            <translation>Цикл, мин</translation>
-        </message>
-        <message>
             <source>Verdict</source>
             <translation>Заключение</translation>
         </message>
         <message>
             <source>Minimum margin</source>
             <translation>Наименьший запас</translation>
-        </message>
-        <message>
-            <source>Found, min</source>
-            <translation>Найдено, мин</translation>
         </message>
         <message>
             <source>Batch</source>
@@ -20867,8 +20855,8 @@ s</source>
             <translation>%1, запас %2 %: %3</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Margin, %</source>
