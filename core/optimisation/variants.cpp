@@ -26,21 +26,22 @@ Levels only(double value) {
     return std::vector<double>{value};
 }
 
-double numberOf(const Levels& levels) {
+double levelsOrOne(const Levels& levels) {
     return std::max(levelCount(levels), 1.0);
 }
 
 /// Number of combinations of dwells at the reversals.
 double dwellPairs(const Project& project) {
     const Optimisation& asked = *project.optimisation;
-    return project.operation->travels ? numberOf(asked.dwell_entry_s) * numberOf(asked.dwell_exit_s)
-                                      : 1;
+    return project.operation->travels
+               ? levelsOrOne(asked.dwell_entry_s) * levelsOrOne(asked.dwell_exit_s)
+               : 1;
 }
 
 /// Number of work speeds, dwells at the reversals and counts of spark-outs, as listed.
 double combinations(const Project& project) {
     const Optimisation& asked = *project.optimisation;
-    return numberOf(asked.work_speed_rpm) * dwellPairs(project) * numberOf(asked.unfed_steps);
+    return levelsOrOne(asked.work_speed_rpm) * dwellPairs(project) * levelsOrOne(asked.unfed_steps);
 }
 
 /// The grid with one count of spark-outs.
