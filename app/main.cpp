@@ -35,7 +35,6 @@
 #include <QSysInfo>
 #include <QTimer>
 
-#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <optional>
@@ -170,12 +169,7 @@ bool displayMissing() {
 }
 
 void openFirstExample(Document& document) {
-    const QStringList paths = ExamplesDialog::paths();
-    const auto usual = std::find_if(paths.begin(), paths.end(), [](const QString& path) {
-        return path.contains(QLatin1StringView("30h6"), Qt::CaseInsensitive);
-    });
-    const QString path = usual != paths.end() ? *usual : paths.value(0);
-    if (path.isEmpty() || hasErrors(document.openCopy(ExamplesDialog::textOf(path)))) {
+    if (hasErrors(document.openCopy(ExamplesDialog::textOf(ExamplesDialog::paths().front())))) {
         document.startUntitled(newProject());
     }
 }

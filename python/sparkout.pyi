@@ -320,7 +320,7 @@ class Search:
         """Stepless limit [min]."""
     @property
     def gap(self) -> Optional[float]:
-        """Gap to the stepless limit."""
+        """Excess over the stepless limit."""
     @property
     def limit_by(self) -> str: ...
     @property

@@ -1847,8 +1847,8 @@
             <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message>
-            <source>Gap to the stepless limit</source>
-            <translation>Возможное сокращение до предела бесступенчатого цикла</translation>
+            <source>Excess over the stepless limit</source>
+            <translation>Превышение предела бесступенчатого цикла</translation>
         </message>
         <message>
             <source>No cycle of the grid is quicker than</source>
@@ -2190,10 +2190,6 @@
         <message>
             <source>Axial feed, mm/min</source>
             <translation>Продольная подача, мм/мин</translation>
-        </message>
-        <message>
-            <source>T, min</source>
-            <translation>T, мин</translation>
         </message>
         <message>
             <source>m*</source>
@@ -3024,6 +3020,14 @@ axial feed, mm/min</source>
     </context>
     <context>
         <name>Example</name>
+        <message>
+            <source>Bearing seat 35k6, starting cycle</source>
+            <translation>Посадочная шейка 35k6, исходный цикл</translation>
+        </message>
+        <message>
+            <source>Bearing seat 35k6</source>
+            <translation>Посадочная шейка 35k6</translation>
+        </message>
         <message>
             <source>Bore 40H7, plunge with spark-out</source>
             <translation>Отверстие 40H7, врезание с выхаживанием</translation>
@@ -6452,6 +6456,18 @@ With another name both versions stay as they are.</source>
             <translation>ищется наименьшее время</translation>
         </message>
         <message>
+            <source>Rotation ratio off a whole number</source>
+            <translation>Отличие отношения частот от целого</translation>
+        </message>
+        <message>
+            <source>any rotation ratio</source>
+            <translation>любое отношение</translation>
+        </message>
+        <message>
+            <source>Minimum distance of n_k/n, the revolutions of the wheel for one of the work, from a whole number: the search leaves out work speeds that are nearer to one, at which waves of the wheel print onto one another.</source>
+            <translation>Наименьшее отличие n_к/n, числа оборотов круга на один оборот заготовки, от целого числа: поиск не рассматривает частоты вращения заготовки, при которых оно меньше и волны от круга ложатся одна на другую.</translation>
+        </message>
+        <message>
             <source>The search then returns the cycle farthest from its limits within this machining time: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
             <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
         </message>
@@ -8076,6 +8092,14 @@ With another name both versions stay as they are.</source>
             <translation>Частота вращения, выстои и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
+            <source>The rotation ratio is %1, nearer to a whole number than “%2” allows (%3): change it, or search “%4”.</source>
+            <translation>Отношение частот вращения круга и детали — %1, ближе к целому числу, чем допускает «%2» (%3): измените это значение или ищите и по «%4».</translation>
+        </message>
+        <message>
+            <source>With every work speed of the search the rotation ratio is nearer to a whole number than “%1” allows (%2): change it, or “%3”.</source>
+            <translation>При всех частотах вращения заготовки в поиске отношение частот круга и детали ближе к целому числу, чем допускает «%1» (%2): измените это значение или «%3».</translation>
+        </message>
+        <message>
             <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
@@ -8152,8 +8176,12 @@ With another name both versions stay as they are.</source>
             <translation>Нет запаса: %1. Чтобы найти цикл с запасом, задайте в поиске «%2».</translation>
         </message>
         <message>
-            <source>The rotation ratio of wheel and work is near a whole number, %1: waviness.</source>
-            <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость.</translation>
+            <source>The rotation ratio of wheel and work is near a whole number, %1: waviness. To rule that out, set “%2” in the search.</source>
+            <translation>Отношение частот вращения круга и детали близко к целому числу, %1: волнистость. Чтобы её исключить, задайте в поиске «%2».</translation>
+        </message>
+        <message>
+            <source>Work speeds left out because their rotation ratio is nearer to a whole number than “%1” allows: %2.</source>
+            <translation>Не рассматривались частоты вращения заготовки, при которых отношение частот ближе к целому числу, чем допускает «%1»: %2.</translation>
         </message>
         <message>
             <source>Stage %1: “%2” has the maximum level, %3;</source>
@@ -13524,8 +13552,8 @@ With another name both versions stay as they are.</source>
             <translation>К вашему, %</translation>
         </message>
         <message>
-            <source>Gap, %</source>
-            <translation>Резерв, %</translation>
+            <source>Excess, %</source>
+            <translation>Превышение, %</translation>
         </message>
         <message>
             <source>Margin, %</source>
@@ -16331,16 +16359,16 @@ target, µm</source>
             <translation>Ступени</translation>
         </message>
         <message>
-            <source>Quickest cycle, min</source>
-            <translation>Самый быстрый цикл, мин</translation>
+            <source>Time of the quickest cycle</source>
+            <translation>Время самого быстрого цикла</translation>
         </message>
         <message>
-            <source>None is below, min</source>
-            <translation>Быстрее нет, мин</translation>
+            <source>None is below</source>
+            <translation>Быстрее нет</translation>
         </message>
         <message>
-            <source>Stepless limit, min</source>
-            <translation>Предел бесступенчатого цикла, мин</translation>
+            <source>Stepless limit</source>
+            <translation>Предел бесступенчатого цикла</translation>
         </message>
         <message numerus="yes">
             <source>%n stage(s)</source>
@@ -16612,8 +16640,8 @@ target, µm</source>
             <translation>Шагов ступени %1</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Minimum deviation of the diameter, µm</source>
@@ -18697,20 +18725,12 @@ good</source>
             <translation>⌀, мм</translation>
         </message>
         <message>
-            <source>Cycle, min</source>
-            <translation>Цикл, мин</translation>
-        </message>
-        <message>
             <source>Verdict</source>
             <translation>Заключение</translation>
         </message>
         <message>
             <source>Minimum margin</source>
             <translation>Наименьший запас</translation>
-        </message>
-        <message>
-            <source>Found, min</source>
-            <translation>Найдено, мин</translation>
         </message>
         <message>
             <source>Batch</source>
@@ -20956,8 +20976,8 @@ s</source>
             <translation>%1, запас %2 %: %3</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
+            <source>Time</source>
+            <translation>Время</translation>
         </message>
         <message>
             <source>Margin, %</source>

@@ -7,6 +7,7 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
+#include "core/quality/shop_numbers.h"
 #include "core/text.h"
 #include "core/units.h"
 #include "words/issue_words.h"
@@ -195,6 +196,7 @@ std::string faultPath(const SearchOutcome& outcome) {
     }
     return !feeds.empty()                             ? feeds
            : outcome.fault == GridFault::tooManySteps ? "/optimisation/stock_step_mm"
+           : outcome.fault == GridFault::wholeRatio   ? "/optimisation/least_ratio_distance"
                                                       : "/optimisation";
 }
 
@@ -283,8 +285,25 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
                                         "The stock cannot be divided into these numbers of stages: "
                                         "take a smaller step, or other limits of the stages' feeds "
                                         "and stocks."));
+    case GridFault::wholeRatio: return wholeRatio(outcome.project);
     }
     return {};
+}
+
+/// No work speed is allowed: with a single one, the ratio is stated.
+std::string SearchWording::wholeRatio(const Project& project) const {
+    const std::string asked = setting("least_ratio_distance"), levels = setting("work_speed_rpm");
+    const std::string least = number(project.optimisation->least_ratio_distance.value_or(0));
+    const std::vector<double> speeds = searchedSpeeds(project).leftOut;
+    return speeds.size() == 1
+               ? filled(
+                   SPARKOUT_NOOP("Search", "The rotation ratio is %1, nearer to a whole number "
+                                           "than “%2” allows (%3): change it, or search “%4”."),
+                   {significant(wheelSpeed_rpm(project) / speeds.front(), 4), asked, least, levels})
+               : filled(SPARKOUT_NOOP("Search", "With every work speed of the search the rotation "
+                                                "ratio is nearer to a whole number than “%1” "
+                                                "allows (%2): change it, or “%3”."),
+                        {asked, least, levels});
 }
 
 // --- what came out ------------------------------------------------------------------------------
@@ -324,10 +343,12 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
                + filled(SPARKOUT_NOOP("Search", "%1 (%2 times)"),
                         {requirement(cuts[i].first), whole(cuts[i].second)});
     }
-    return cut.empty()
-               ? why()
-               : why() + ' '
-                     + filled(SPARKOUT_NOOP("Search", "Excluded most often by: %1."), {cut});
+    std::string text = why();
+    if (!cut.empty()) {
+        text += ' ' + filled(SPARKOUT_NOOP("Search", "Excluded most often by: %1."), {cut});
+    }
+    const std::string leftOut = speedsLeftOut(outcome.searched);
+    return leftOut.empty() ? text : text + ' ' + leftOut;
 }
 
 std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
@@ -573,6 +594,26 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
         lines.push_back(std::move(line));
     }
     addSettingEdges(outcome, lines);
+    if (std::string leftOut = speedsLeftOut(outcome.searched); !leftOut.empty()) {
+        lines.push_back(std::move(leftOut));
+    }
+}
+
+/// The work speeds whose rotation ratio is ruled out; empty if none is.
+std::string SearchWording::speedsLeftOut(const Project& searched) const {
+    if (!searched.optimisation) {
+        return {};
+    }
+    std::string speeds;
+    for (const double work_rpm : searchedSpeeds(searched).leftOut) {
+        speeds += (speeds.empty() ? "" : "; ") + number(work_rpm);
+    }
+    return speeds.empty()
+               ? speeds
+               : filled(SPARKOUT_NOOP("Search", "Work speeds left out because their rotation ratio "
+                                                "is nearer to a whole number than “%1” allows: "
+                                                "%2."),
+                        {setting("least_ratio_distance"), speeds});
 }
 
 void SearchWording::addSettingEdges(const SearchOutcome& outcome,
@@ -606,8 +647,9 @@ void SearchWording::addRemarks(const SearchOutcome& outcome,
     }
     if (const std::optional<double>& ratio = outcome.remarks.ratioNearInteger) {
         lines.push_back(filled(SPARKOUT_NOOP("Search", "The rotation ratio of wheel and work is "
-                                                       "near a whole number, %1: waviness."),
-                               {significant(*ratio, 4)}));
+                                                       "near a whole number, %1: waviness. To rule "
+                                                       "that out, set “%2” in the search."),
+                               {significant(*ratio, 4), setting("least_ratio_distance")}));
     }
     for (const Issue& issue : outcome.remarks.issues) {
         lines.push_back(remark(issue));

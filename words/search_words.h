@@ -70,6 +70,8 @@ private:
                                      std::initializer_list<std::string> values) const;
     [[nodiscard]] std::string names(const std::vector<ConstraintKind>& kinds) const;
     [[nodiscard]] std::string within(const SearchOutcome& outcome) const;
+    [[nodiscard]] std::string wholeRatio(const Project& project) const;
+    [[nodiscard]] std::string speedsLeftOut(const Project& searched) const;
     [[nodiscard]] std::string timeAnswer(const SearchOutcome& outcome) const;
     [[nodiscard]] std::string marginAnswer(const SearchOutcome& outcome) const;
     void addIntervalAnswer(const SearchOutcome& outcome, std::vector<std::string>& lines) const;

@@ -135,8 +135,8 @@ const char* reasonKey(UndecidedReason reason) {
 }
 
 const char* stateKey(JudgedState state) {
-    constexpr std::array keys{"not_computed",    "fails",     "stocks_fail", "batch_fails",
-                              "measured_differ", "undecided", "close",       "batch_not_run",
+    constexpr std::array keys{"not_computed",    "fails",       "stocks_fail", "batch_fails",
+                              "measured_differ", "undecided",   "close",       "batch_not_run",
                               "batch",           "every_stock", "nominal"};
     return keys[static_cast<std::size_t>(state)];
 }

@@ -105,7 +105,7 @@ enum class JudgedState {
     measuredDiffer, ///< measured parts differ from the prediction, which meets all requirements
     undecided,      ///< all requirements are met except those that cannot be checked
     close,          ///< all requirements are met, with little margin or a low P_pk of the batch
-    batchNotRun, ///< the cycle is fit for every stock; its batch was not run, or only in part
+    batchNotRun,    ///< the cycle is fit for every stock; its batch was not run, or only in part
     batchHolds,
     stocksHold, ///< the cycle is fit for every stock within one infeed; there is no batch
     nominal     ///< the part that was run is good; other parts are not known

@@ -37,6 +37,7 @@ enum class GridFault {
     tooManyVariants, ///< more than mostVariants of the machine and the spark-out
     noDivision, ///< stock and feeds cannot be divided into these numbers of stages within their
                 ///< bounds
+    wholeRatio, ///< no work speed keeps n_k/n far enough from a whole number
 };
 inline constexpr double mostSettings = 5000, mostStockSteps = 10'000, mostVariants = 500;
 

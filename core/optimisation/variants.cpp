@@ -4,6 +4,7 @@
 #include "core/grace_stop.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "core/quality/shop_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -25,13 +26,22 @@ Levels only(double value) {
     return std::vector<double>{value};
 }
 
-/// Number of work speeds, dwells at the reversals and counts of spark-outs.
+double levelsOrOne(const Levels& levels) {
+    return std::max(levelCount(levels), 1.0);
+}
+
+/// Number of combinations of dwells at the reversals.
+double dwellPairs(const Project& project) {
+    const Optimisation& asked = *project.optimisation;
+    return project.operation->travels
+               ? levelsOrOne(asked.dwell_entry_s) * levelsOrOne(asked.dwell_exit_s)
+               : 1;
+}
+
+/// Number of work speeds, dwells at the reversals and counts of spark-outs, as listed.
 double combinations(const Project& project) {
     const Optimisation& asked = *project.optimisation;
-    const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };
-    const double dwells =
-        project.operation->travels ? number(asked.dwell_entry_s) * number(asked.dwell_exit_s) : 1;
-    return number(asked.work_speed_rpm) * dwells * number(asked.unfed_steps);
+    return levelsOrOne(asked.work_speed_rpm) * dwellPairs(project) * levelsOrOne(asked.unfed_steps);
 }
 
 /// The grid with one count of spark-outs.
@@ -71,6 +81,18 @@ void setMachine(Project& project, const MachineSettings& settings) {
     project.machine->dwell_exit_s = settings.dwell_exit_s;
 }
 
+SearchedSpeeds searchedSpeeds(const Project& project) {
+    const Optimisation& asked = *project.optimisation;
+    const std::optional<double>& least = asked.least_ratio_distance;
+    const double wheel_rpm = wheelSpeed_rpm(project);
+    SearchedSpeeds speeds;
+    for (const double work_rpm : listed(asked.work_speed_rpm, project.machine->work_speed_rpm)) {
+        const bool isAllowed = !least || distanceFromWhole(wheel_rpm / work_rpm) >= *least;
+        (isAllowed ? speeds.allowed : speeds.leftOut).push_back(work_rpm);
+    }
+    return speeds;
+}
+
 Variants::Variants(const Project& project, const std::stop_token& stop) {
     Project plain = project;
     plain.runs.clear();
@@ -88,10 +110,14 @@ Variants::Variants(const Project& project, const std::stop_token& stop) {
     }
     const Grace grace(stop);
     const MachineSettings own = machineSettings(project);
-    const std::vector<double> speeds = listed(asked.work_speed_rpm, own.work_speed_rpm),
+    const std::vector<double> speeds = searchedSpeeds(project).allowed,
                               entries = listed(asked.dwell_entry_s, own.dwell_entry_s),
                               exits = listed(asked.dwell_exit_s, own.dwell_exit_s),
                               sparkOuts = listed(asked.unfed_steps, 0);
+    if (speeds.empty()) {
+        m_fault = GridFault::wholeRatio;
+        return;
+    }
     const std::vector<std::shared_ptr<const Grid>> grids = gridsOf(plain, sparkOuts);
     for (const double speed : speeds) {
         m_isCutShort = grace.isOver();
@@ -153,7 +179,8 @@ std::int64_t gridSize(const Project& project) {
     plain.runs.clear();
     plain.batch.reset();
     const std::vector<double> sparkOuts = listed(project.optimisation->unfed_steps, 0);
-    const double others = combinations(project) / static_cast<double>(sparkOuts.size());
+    const double others =
+        static_cast<double>(searchedSpeeds(project).allowed.size()) * dwellPairs(project);
     std::array<std::optional<Grid>, 2> grids;
     long double sum = 0;
     for (const double sparkOut : sparkOuts) {

@@ -21,10 +21,19 @@ struct MachineSettings {
 [[nodiscard]] MachineSettings machineSettings(const Project& project);
 void setMachine(Project& project, const MachineSettings& settings);
 
-/// All grids of a project's optimisation: one for each combination of work speed, entry dwell, exit
-/// dwell and spark-out count as listed. In the order of the variants the spark-outs change first
-/// and the work speed last; the order of variants precedes the grid order of the cycles of one
-/// variant. An unlisted setting has the machine's value, an unlisted spark-out count means none.
+/// The work speeds of a search [rev/min]: those that it lists, or the machine's.
+struct SearchedSpeeds {
+    std::vector<double> allowed;
+    std::vector<double> leftOut; ///< n_k/n is nearer to a whole number than least_ratio_distance
+};
+/// The project must have a search.
+[[nodiscard]] SearchedSpeeds searchedSpeeds(const Project& project);
+
+/// All grids of a project's optimisation: one for each combination of allowed work speed, entry
+/// dwell, exit dwell and spark-out count as listed. In the order of the variants the spark-outs
+/// change first and the work speed last; the order of variants precedes the grid order of the
+/// cycles of one variant. An unlisted setting has the machine's value, an unlisted spark-out count
+/// means none.
 class Variants {
 public:
     /// With a fault there are no variants. A stop may leave some out.

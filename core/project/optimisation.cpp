@@ -137,6 +137,19 @@ Field marginWithin() {
         .source = "MODEL-8");
 }
 
+Field ratioDistance() {
+    return SPARKOUT_FIELD(
+        Optimisation, least_ratio_distance,
+        .label = SPARKOUT_NOOP("Input", "Rotation ratio off a whole number"),
+        .hard = {0, 0.45, true}, .nullMeaning = SPARKOUT_NOOP("Input", "any rotation ratio"),
+        .page = Page::search,
+        .hint = SPARKOUT_NOOP("Input", "Minimum distance of n_k/n, the revolutions of the wheel "
+                                       "for one of the work, from a whole number: the search "
+                                       "leaves out work speeds that are nearer to one, at which "
+                                       "waves of the wheel print onto one another."),
+        .source = "BADGER2010");
+}
+
 Field costOfPart() {
     return SPARKOUT_FIELD(
         Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
@@ -179,6 +192,7 @@ const StructInfo& tableOf<Optimisation>() {
             .page = Page::search, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "The parts for which the cycle must meet the drawing."),
             .source = "MODEL-8"),
+        ratioDistance(),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm,
             .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",

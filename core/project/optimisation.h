@@ -45,6 +45,8 @@ struct Optimisation {
     /// [min].
     std::optional<double> margin_within_min;
     OptimisationScenarios scenarios = OptimisationScenarios::nominal;
+    /// Least distance of n_k/n from a whole number; not given: any ratio.
+    std::optional<double> least_ratio_distance;
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]
     Levels axial_feed_mm_min;  ///< traverse [mm/min]
     Levels radial_feed_mm_min; ///< plunge [mm/min]

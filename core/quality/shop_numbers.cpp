@@ -251,9 +251,17 @@ BandSide ShopColumn::overlapBand() const {
     return !overlap ? BandSide::none : leavesStrips(*overlap) ? BandSide::below : BandSide::inside;
 }
 
+double wheelSpeed_rpm(const Project& project) {
+    return project.machine->wheel_speed_m_s * units::mmPerM * units::secondsPerMinute
+           / (std::numbers::pi * project.wheel->diameter_mm);
+}
+
+double distanceFromWhole(double rotationRatio) {
+    return std::abs(rotationRatio - std::max(std::round(rotationRatio), 1.0));
+}
+
 bool ShopNumbers::ratioNearInteger() const {
-    const double whole = std::round(rotationRatio);
-    return whole >= 1 && std::abs(rotationRatio - whole) <= nearInteger;
+    return distanceFromWhole(rotationRatio) <= nearInteger;
 }
 
 ShopNumbers shopNumbers(const SimulationResult& result) {
@@ -276,9 +284,7 @@ ShopNumbers shopNumbers(const SimulationResult& result) {
     numbers.cycle = shop.column(all, result.time_s);
     numbers.cycle.count = result.cycleCount;
     numbers.cycle.overlap = least;
-    numbers.wheelSpeed_rpm = project.machine->wheel_speed_m_s * units::mmPerM
-                             * units::secondsPerMinute
-                             / (std::numbers::pi * project.wheel->diameter_mm);
+    numbers.wheelSpeed_rpm = wheelSpeed_rpm(project);
     numbers.rotationRatio = numbers.wheelSpeed_rpm / project.machine->work_speed_rpm;
     return numbers;
 }

@@ -77,7 +77,7 @@ constexpr Output<Found> searchRows[] = {
                                              : std::nullopt;
      }},
     {{.key = "gap",
-      .label = SPARKOUT_NOOP("Output", "Gap to the stepless limit"),
+      .label = SPARKOUT_NOOP("Output", "Excess over the stepless limit"),
       .shownUnit = "%",
       .shownFactor = 100},
      [](const Found& f) {
@@ -361,6 +361,9 @@ std::string searchJson(const SearchOutcome& outcome) {
     root["edges"] = edgesJson(outcome);
     root["setting_edges"] = settingEdgesJson(outcome);
     root["not_decided"] = outputsJsonOfEach(undecidedOutputs(), outcome.remarks.notDecided);
+    if (outcome.searched.optimisation->least_ratio_distance) {
+        root["left_out_work_speeds_rpm"] = searchedSpeeds(outcome.searched).leftOut;
+    }
     root["remarks"] = remarksJson(outcome);
     ordered_json& cuts = root["cut_by"] = ordered_json::object();
     for (const auto& [kind, count] : outcome.cuts()) {

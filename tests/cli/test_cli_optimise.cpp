@@ -99,6 +99,12 @@ private slots:
                R"({"optimisation": {"work_speed_rpm": {"from": 100, "to": 300, "step": 0.1}}})",
                "/optimisation: Work speed, dwells and spark-outs make more than 500 "
                "combinations");
+        addRow("a whole ratio", R"({"optimisation": {"least_ratio_distance": 0.4}})",
+               "/optimisation/least_ratio_distance: The rotation ratio is 6.366, nearer to a whole "
+               "number than “least_ratio_distance” allows (0.4)");
+        addRow("whole ratios",
+               R"({"optimisation": {"least_ratio_distance": 0.1, "work_speed_rpm": [163.7, 191]}})",
+               "/optimisation/least_ratio_distance: With every work speed of the search ");
         addRow("a stage that no level fits",
                R"({"optimisation": {"stage_radial_feed_mm": [[0.003, 0.0035]]}})",
                "/optimisation: ");
@@ -197,6 +203,64 @@ private slots:
         file["optimisation"]["margin_within_min"] = 60;
         const json widest = json::parse(optimize({save("wide.sparkout", file), "--json"}).out);
         QVERIFY(widest.at("remarks").at("no_margin").empty());
+    }
+
+    /// The wheel turns 1145.9 times a minute, six times while the work turns once at 191 rev/min.
+    void aWholeRotationRatioIsRemarkedAndCanBeRuledOut() {
+        json file = shaft();
+        file["optimisation"]["work_speed_rpm"] = {191};
+        QString saved = save("whole_ratio.sparkout", file);
+        const json whole = answerOf({saved, "--json"});
+        const double ratio = whole.at("remarks").at("rotation_ratio_near_integer").get<double>();
+        QVERIFY(std::abs(ratio - 6) < 1e-3);
+        QVERIFY(!whole.contains("left_out_work_speeds_rpm"));
+        std::string text = optimize({saved}).out;
+        QVERIFY2(has(text, "The rotation ratio of wheel and work is near a whole number, 6.000: "
+                           "waviness. To rule that out, set “least_ratio_distance” in the search."),
+                 text.c_str());
+        file["optimisation"]["work_speed_rpm"] = {191, 176};
+        file["optimisation"]["least_ratio_distance"] = 0.05;
+        saved = save("off_ratio.sparkout", file);
+        const json off = answerOf({saved, "--json"});
+        QVERIFY(off.at("machine").at("work_speed_rpm") == 176);
+        QVERIFY(off.at("grid_size") == whole.at("grid_size"));
+        QVERIFY(off.at("remarks").at("rotation_ratio_near_integer").is_null());
+        QVERIFY(off.at("left_out_work_speeds_rpm") == json::array({191}));
+        text = optimize({saved}).out;
+        QVERIFY2(has(text, "Work speeds left out because their rotation ratio is nearer to a whole "
+                           "number than “least_ratio_distance” allows: 191.")
+                     && !has(text, "waviness"),
+                 text.c_str());
+        file["part"]["tolerance"]["radial_runout_um"] = 1e-6; // which no cycle meets
+        const Outcome none = optimize({save("no_ratio.sparkout", file)});
+        QCOMPARE(none.status, 5);
+        QVERIFY2(has(none.err, "No cycle of the grid meets every requirement.")
+                     && has(none.err, "Work speeds left out"),
+                 none.err.c_str());
+    }
+
+    /// Of two dwells the answer has one: at that edge of its levels.
+    void aDwellAtTheEdgeOfItsLevelsIsNamed() {
+        json file = shaft();
+        file["optimisation"]["dwell_entry_s"] = {0.333, 0.666};
+        const QString saved = save("dwells.sparkout", file);
+        const json answer = answerOf({saved, "--json"});
+        const json dwell_s = answer.at("machine").at("dwell_entry_s");
+        const bool isMost = dwell_s == 0.666;
+        const json edges = answer.at("setting_edges");
+        QVERIFY(edges
+                == json::array({{{"setting", "dwell_entry_s"},
+                                 {"side", isMost ? "greatest" : "least"},
+                                 {"level", dwell_s},
+                                 {"allowed", isMost ? 3600.0 : 0.0},
+                                 {"is_allowed_end", false}}}));
+        const std::string text = optimize({saved}).out;
+        QVERIFY2(has(text, isMost
+                               ? "“dwell_entry_s” has the maximum level, 0.666\u00a0s; allowed is "
+                                 "3600\u00a0s."
+                               : "“dwell_entry_s” has the minimum level, 0.333\u00a0s; allowed is "
+                                 "0\u00a0s."),
+                 text.c_str());
     }
 
     void theWrittenCycleHoldsAndTakesTheTimeStated() {

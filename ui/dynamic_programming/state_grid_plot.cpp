@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dynamic_programming/state_grid_plot.h"
 
-#include "core/units.h"
 #include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
@@ -449,12 +448,13 @@ CsvTable StateGridPlot::table() const {
     }
     const StateGrid& grid = m_outcome->grid;
     const bool axial = grid.project.operation->axial() != nullptr;
+    const TimeUnit unit = StateGridText::unit(grid);
     table.header << tr("Level n") << tr("Stock left per side, mm") << tr("Feed m")
                  << (axial ? tr("Radial feed, mm per double stroke") : tr("Radial feed, mm/min"));
     if (axial) {
         table.header << tr("Axial feed, mm/min");
     }
-    table.header << tr("T, min") << tr("m*") << tr("Moves struck out")
+    table.header << unit.titled(QStringLiteral("T")) << tr("m*") << tr("Moves struck out")
                  << tr("Where the rule is wrong");
     for (int n = 1; n <= grid.size.levels; ++n) {
         for (std::size_t m = 0; m < grid.feeds.size(); ++m) {
@@ -464,8 +464,7 @@ CsvTable StateGridPlot::table() const {
             if (axial) {
                 row.emplace_back(grid.feeds[m].axialFeed_mm_min);
             }
-            row.push_back(state.time_s ? CsvCell(*state.time_s / units::secondsPerMinute)
-                                       : CsvCell());
+            row.push_back(state.time_s ? CsvCell(unit.of(*state.time_s)) : CsvCell());
             row.push_back(state.time_s && n > 1 ? CsvCell(double(state.from + 1)) : CsvCell());
             row.emplace_back(StateGridText::struckOut(state));
             QString wrong;

@@ -4,7 +4,6 @@
 #include "core/project/part.h"
 #include "core/quality/light.h"
 #include "core/quality/requirement.h"
-#include "core/units.h"
 #include "ui/charts/light_icon.h"
 #include "ui/kit/metrics.h"
 #include "ui/part/part_text.h"
@@ -27,14 +26,19 @@ struct PartTable {
     Q_DECLARE_TR_FUNCTIONS(PartTable)
 };
 
-/// With its unit; in minutes for a spreadsheet.
-ValueCell minutesCell(const std::optional<double>& time_s) {
+/// With its own unit; in the common one for a spreadsheet.
+ValueCell cycleTimeCell(const std::optional<double>& time_s, const TimeUnit& unit) {
     constexpr int digits = 4;
-    return ValueCell::of(time_s ? std::optional(*time_s / units::secondsPerMinute) : std::nullopt,
-                         [](double time_min) { return Names::timeOfMinutes(time_min, digits); });
+    return ValueCell::of(time_s ? std::optional(unit.of(*time_s)) : std::nullopt,
+                         [&time_s](double) { return Names::time(*time_s, digits); });
 }
 
-ValueCell searchCell(const PartStudies& studies, int id) {
+/// The cycle that a search found; null without one.
+const FoundCycle* foundBy(const SurfaceStudy& study) {
+    return study.search && study.search->ran() ? study.search->answer() : nullptr;
+}
+
+ValueCell searchCell(const PartStudies& studies, int id, const TimeUnit& unit) {
     const auto found = studies.searches.find(id);
     if (found == studies.searches.end()) {
         return {};
@@ -43,8 +47,9 @@ ValueCell searchCell(const PartStudies& studies, int id) {
     if (!study.search || !study.search->ran()) {
         return {.text = PartTable::tr("refused")};
     }
-    const FoundCycle* const answer = study.search->answer();
-    return answer ? minutesCell(answer->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
+    const FoundCycle* const answer = foundBy(study);
+    return answer ? cycleTimeCell(answer->time_s, unit)
+                  : ValueCell{.text = PartTable::tr("none feasible")};
 }
 
 QString rejectedText(std::int64_t bad, std::int64_t parts) {
@@ -78,6 +83,19 @@ std::optional<double> timeOf(const SurfaceStatus& status) {
     return status.ran() ? std::optional(status.time_s) : std::nullopt;
 }
 
+/// The unit of the times of all surfaces, and of the cycles found for them.
+TimeUnit commonUnit(const std::vector<SurfaceStatus>& statuses, const PartStudies& studies) {
+    double longest_s = 0;
+    for (const SurfaceStatus& status : statuses) {
+        longest_s = std::max(longest_s, timeOf(status).value_or(0));
+    }
+    for (const auto& [id, study] : studies.searches) {
+        const FoundCycle* const answer = foundBy(*study);
+        longest_s = std::max(longest_s, answer ? answer->time_s : 0);
+    }
+    return TimeUnit(longest_s);
+}
+
 QIcon iconOf(const SurfaceStatus& status) {
     return QIcon(statusPixmap(status, metrics::iconSmall, qGuiApp->devicePixelRatio()));
 }
@@ -109,15 +127,19 @@ void PartStudies::add(int id, const SurfaceStudyPtr& study) {
 
 ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& statuses,
                      const PartStudies& studies) {
+    const TimeUnit unit = commonUnit(statuses, studies);
     ValueTable table{
-        .columns =
-            {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
-             {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
-             {.text = PartTable::tr("Cycle"), .name = PartTable::tr("Cycle, min"), .key = "time"},
-             {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
-             {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
-             {.text = PartTable::tr("Found"), .name = PartTable::tr("Found, min"), .key = "search"},
-             {.text = PartTable::tr("Batch"), .key = "batch"}},
+        .columns = {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
+                    {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
+                    {.text = PartTable::tr("Cycle"),
+                     .name = unit.titled(PartTable::tr("Cycle")),
+                     .key = "time"},
+                    {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
+                    {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
+                    {.text = PartTable::tr("Found"),
+                     .name = unit.titled(PartTable::tr("Found")),
+                     .key = "search"},
+                    {.text = PartTable::tr("Batch"), .key = "batch"}},
         .isList = true};
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
         const SurfaceState& of = *state.surfaces[i];
@@ -126,10 +148,10 @@ ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& 
         table.addRow({.text = nameOf(state, i)},
                      {{.text = nameOf(state, i)},
                       {.text = printedNumber(diameter_mm), .value = diameter_mm},
-                      minutesCell(timeOf(status)),
+                      cycleTimeCell(timeOf(status), unit),
                       {.text = statusText(status), .icon = iconOf(status)},
                       {.text = worstText(status)},
-                      searchCell(studies, of.id),
+                      searchCell(studies, of.id, unit),
                       batchCell(studies, of.id, status.judgement.batch)});
     }
     return table;
@@ -139,10 +161,12 @@ ValueTable surfaceComparison(const SetupState& state, const std::vector<SurfaceS
     ValueTable table{.columns = {{.text = PartTable::tr("Value / limit"), .isText = true}},
                      .isList = true};
     std::set<ConstraintKind> kinds;
-    std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time")}};
+    const TimeUnit unit = commonUnit(statuses, {});
+    std::vector<ValueCell> times{
+        {.text = PartTable::tr("Cycle time"), .value = unit.titled(PartTable::tr("Cycle time"))}};
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         table.columns.push_back({.text = nameOf(state, i), .isText = true}); // beside the lights
-        times.push_back(minutesCell(timeOf(statuses[i])));
+        times.push_back(cycleTimeCell(timeOf(statuses[i]), unit));
         for (const ConstraintResult& requirement : statuses[i].requirements) {
             kinds.insert(requirement.kind);
         }

@@ -12,25 +12,47 @@ namespace sparkout {
 
 namespace {
 
-[[maybe_unused]] constexpr const char* titles[] = {
-    QT_TRANSLATE_NOOP("Example", "Bore 40H7, plunge with spark-out"),
-    QT_TRANSLATE_NOOP("Example", "Shaft with four sections, two-stage plunge"),
-    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, factory cycle"),
-    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, optimal cycle"),
-    QT_TRANSLATE_NOOP("Example", "Shaft 38.74h6, factory cycle"),
-    QT_TRANSLATE_NOOP("Example", "Slender shaft with a soft middle"),
-    QT_TRANSLATE_NOOP("Example", "Spark-out until size"),
-    QT_TRANSLATE_NOOP("Example", "Dull wheel"),
-    QT_TRANSLATE_NOOP("Example", "Freshly dressed wheel"),
-    QT_TRANSLATE_NOOP("Example", "Spindle of five surfaces"),
-    QT_TRANSLATE_NOOP("Example", "Bushing with a bore, internal traverse"),
-    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, measured batch of 50"),
-    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, tables 2 and 3 calibrated"),
-    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, table 2 by a computed compliance"),
-    QT_TRANSLATE_NOOP("Example", "Roughness binds the last cut"),
-    QT_TRANSLATE_NOOP("Example", "Self-sharpening binds the first stage"),
-    QT_TRANSLATE_NOOP("Example", "Accuracy binds the last feed"),
-    // the names of their parts and surfaces
+/// A shipped example: its file and the title in it.
+struct ShippedExample {
+    const char* file;
+    const char* title;
+};
+
+/// The examples in the order of the gallery: a starting cycle, other parts of a shop, cycles bound
+/// by one limit each, and the parts of the sources.
+constexpr ShippedExample shippedExamples[] = {
+    {"starting-cycle-35k6.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Bearing seat 35k6, starting cycle")},
+    {"plunge-shaft-two-stage.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Shaft with four sections, two-stage plunge")},
+    {"spark-out-until-size.sparkout", QT_TRANSLATE_NOOP("Example", "Spark-out until size")},
+    {"internal-plunge.sparkout", QT_TRANSLATE_NOOP("Example", "Bore 40H7, plunge with spark-out")},
+    {"through-bore.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Bushing with a bore, internal traverse")},
+    {"slender-shaft.sparkout", QT_TRANSLATE_NOOP("Example", "Slender shaft with a soft middle")},
+    {"spindle.sparkout", QT_TRANSLATE_NOOP("Example", "Spindle of five surfaces")},
+    {"wheel-sharp.sparkout", QT_TRANSLATE_NOOP("Example", "Freshly dressed wheel")},
+    {"wheel-dull.sparkout", QT_TRANSLATE_NOOP("Example", "Dull wheel")},
+    {"plunge-roughness-limit.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Roughness binds the last cut")},
+    {"plunge-self-sharpening-limit.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Self-sharpening binds the first stage")},
+    {"plunge-accuracy-limit.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Accuracy binds the last feed")},
+    {"shaft-30h6-factory.sparkout", QT_TRANSLATE_NOOP("Example", "Shaft 30h6, factory cycle")},
+    {"shaft-30h6-optimal.sparkout", QT_TRANSLATE_NOOP("Example", "Shaft 30h6, optimal cycle")},
+    {"shaft-30h6-calibrated.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Shaft 30h6, tables 2 and 3 calibrated")},
+    {"shaft-30h6-measured.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Shaft 30h6, measured batch of 50")},
+    {"shaft-30h6-slender.sparkout",
+     QT_TRANSLATE_NOOP("Example", "Shaft 30h6, table 2 by a computed compliance")},
+    {"shaft-38-74h6.sparkout", QT_TRANSLATE_NOOP("Example", "Shaft 38.74h6, factory cycle")},
+};
+
+[[maybe_unused]] constexpr const char* partNames[] = {
+    // parts and surfaces of the examples
+    QT_TRANSLATE_NOOP("Example", "Bearing seat 35k6"),
     QT_TRANSLATE_NOOP("Example", "Bore 40H7"),
     QT_TRANSLATE_NOOP("Example", "Shaft 40k6"),
     QT_TRANSLATE_NOOP("Example", "Shaft 30h6"),
@@ -44,7 +66,7 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Bearing seat 40k6 C"),
     QT_TRANSLATE_NOOP("Example", "Journal 35h7 D"),
     QT_TRANSLATE_NOOP("Example", "Coupling seat 30n6 E"),
-    // names of their kept runs
+    // their kept runs
     QT_TRANSLATE_NOOP("Example", "Factory"),
     QT_TRANSLATE_NOOP("Example", "Optimal"),
 };
@@ -72,6 +94,14 @@ bool isRussian(const QString& text) {
 }
 
 } // namespace
+
+QStringList exampleFiles() {
+    QStringList files;
+    for (const ShippedExample& each : shippedExamples) {
+        files += QString::fromLatin1(each.file);
+    }
+    return files;
+}
 
 QString exampleTitle(const std::string& title) {
     const bool cut = title.find('\0') != std::string::npos; // translations end there, titles do not

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include <string>
 
 /// Shipped examples carry an English title and notes in both languages.
 namespace sparkout {
 
+/// The names of the shipped files in the order of the gallery. The program begins with the first
+/// one where no file is given.
+[[nodiscard]] QStringList exampleFiles();
 /// The title of a shipped example, or the name of its part, of a surface or of a kept run, in the
 /// program's language; any other text unchanged.
 [[nodiscard]] QString exampleTitle(const std::string& title);

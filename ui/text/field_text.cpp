@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/field_text.h"
 
+#include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -211,6 +212,26 @@ QString switchedText(const ConstMember& member, const Project& of) {
     }
 }
 
+/// Adds the axial feeds, stage by stage, if a traverse gave them to stages without one.
+void addAxialFeeds(const Project& before, const Project& after, QStringList& changes) {
+    const StageFeed* const axial = after.operation->axial();
+    const bool areSet = axial && !before.operation->axial()
+                        && std::ranges::any_of(before.cycle->stages, [axial](const Stage& stage) {
+                               return !(stage.*axial->value);
+                           });
+    if (!areSet) {
+        return;
+    }
+    const Field& row = *tableOf<Stage>().find(axial->key);
+    QStringList feeds;
+    for (const Stage& stage : after.cycle->stages) {
+        feeds += valueText(row, &stage);
+    }
+    changes += QStringLiteral("%1: %2 → %3")
+                   .arg(inputText(row.label), inputText(row.nullMeaning),
+                        feeds.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 QStringList changesOfOperation(const Project& before, const Project& after) {
@@ -229,6 +250,7 @@ QStringList changesOfOperation(const Project& before, const Project& after) {
             changes += QStringLiteral("%1: %2 → %3").arg(inputText(was.field->label), old, made);
         }
     }
+    addAxialFeeds(before, after, changes);
     return changes;
 }
 

@@ -33,8 +33,8 @@ void setDefault(const Field& field, void* owner);
 /// null if it is not given.
 [[nodiscard]] QString fieldText(const Field& field, const void* owner);
 
-/// The changes of another operation to inputs outside the stages: "Ground length L_p: 100 mm → 50
-/// mm".
+/// The changes of another operation to inputs outside the stages, and the axial feeds that it gives
+/// them: "Ground length L_p: 100 mm → 50 mm", "Axial feed: not used → 1800 mm/min, 300 mm/min".
 [[nodiscard]] QStringList changesOfOperation(const Project& before, const Project& after);
 
 // The texts and numbers of outputs, in the current language.

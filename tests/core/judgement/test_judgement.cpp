@@ -71,8 +71,7 @@ struct Known {
         if (hasBatch) {
             result.project.batch = Batch{};
         }
-        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch,
-                     measured);
+        return judge(result, {held(ConstraintKind::diameterMax, nominal)}, stocks, batch, measured);
     }
 };
 

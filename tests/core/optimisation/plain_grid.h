@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 /// The cycles of a grid by the definition of the project file, written a second time.
@@ -24,6 +25,9 @@ public:
         const Machine& own = *p.machine;
         const bool traverse = p.operation == Operation::traverse;
         for (const double speed : listed(asked.work_speed_rpm, own.work_speed_rpm)) {
+            if (isLeftOut(speed)) {
+                continue;
+            }
             for (const double entry :
                  listed(traverse ? asked.dwell_entry_s : Levels(), own.dwell_entry_s)) {
                 for (const double exit :
@@ -44,6 +48,18 @@ private:
     static std::vector<double> listed(const Levels& levels, double own) {
         const std::vector<double> values = levelValues(levels);
         return values.empty() ? std::vector<double>{own} : values;
+    }
+
+    /// The wheel turns nearly k times, k = 1, 2, …, while the work turns once.
+    bool isLeftOut(double speed) const {
+        const double wheel =
+            60'000 * p.machine->wheel_speed_m_s / (std::numbers::pi * p.wheel->diameter_mm);
+        for (int k = 1; asked.least_ratio_distance && k <= wheel / speed + 1; ++k) {
+            if (std::abs(wheel / speed - k) < *asked.least_ratio_distance) {
+                return true;
+            }
+        }
+        return false;
     }
 
     void addNumbers() {

@@ -7,6 +7,7 @@
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
 #include "core/project/validate.h"
+#include "core/quality/shop_numbers.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
@@ -167,6 +168,56 @@ private slots:
         QVERIFY2(sparks >= enough && slower >= enough && continuous >= enough,
                  QByteArray::number(sparks) + " " + QByteArray::number(slower) + " "
                      + QByteArray::number(continuous));
+    }
+
+    /// The same where work speeds with a rotation ratio near a whole number are left out.
+    void bothSearchesLeaveOutWholeRatios() {
+        int some = 0, all = 0, found = 0;
+        for (unsigned seed = 0; seed < searches(60); ++seed) {
+            Project p = freeCase(seed);
+            p.optimisation->least_ratio_distance = seed % 2 == 0 ? 0.15 : 0.4;
+            const PlainSearch plain(p);
+            const SearchSummary pruned = search(p);
+            const QByteArray where = "case " + QByteArray::number(seed);
+            QVERIFY2(same(pruned, plain), where);
+            QVERIFY2(same(search(p, SearchMethod::full), plain), where);
+            QVERIFY2(gridSize(p) == Variants(p).size(), where);
+            const SearchedSpeeds speeds = searchedSpeeds(p);
+            QVERIFY2((Variants(p).fault() == GridFault::wholeRatio) == speeds.allowed.empty(),
+                     where);
+            some += !speeds.leftOut.empty() && !speeds.allowed.empty() ? 1 : 0;
+            all += speeds.allowed.empty() ? 1 : 0;
+            found += pruned.best ? 1 : 0;
+        }
+        QVERIFY2(some > 2 && all > 2 && found > 2, QByteArray::number(some) + " "
+                                                       + QByteArray::number(all) + " "
+                                                       + QByteArray::number(found));
+    }
+
+    /// The speeds allowed are those listed, or the machine's; the answer has one of them.
+    void aWholeRatioIsNoVariant() {
+        Project p = driven(0.6);
+        const double wheel_rpm = wheelSpeed_rpm(p);
+        const double whole = wheel_rpm / 7, close = wheel_rpm / 7.04, off = wheel_rpm / 7.5;
+        p.optimisation->work_speed_rpm = std::vector<double>{whole, close, off};
+        QCOMPARE(Variants(p).count(), std::size_t{3});
+        p.optimisation->least_ratio_distance = 0.05;
+        QCOMPARE(Variants(p).count(), std::size_t{1});
+        QCOMPARE(searchedSpeeds(p).leftOut, (std::vector<double>{whole, close}));
+        for (const SearchMethod method : {SearchMethod::pruned, SearchMethod::full}) {
+            const SearchSummary found = search(p, method);
+            QVERIFY(found.best.has_value());
+            QCOMPARE(found.machine.work_speed_rpm, off);
+            QCOMPARE(found.gridSize, gridSize(p));
+        }
+        p.optimisation->work_speed_rpm = {};
+        for (const double own : {off, close}) {
+            p.machine->work_speed_rpm = own;
+            const bool isLeftOut = own == close;
+            QVERIFY(Variants(p).fault() == (isLeftOut ? GridFault::wholeRatio : GridFault::none));
+            QCOMPARE(gridSize(p) == 0, isLeftOut);
+            QCOMPARE(search(p).best.has_value(), !isLeftOut);
+        }
     }
 
     // The bound in the progress holds for the variants still to be searched, too.

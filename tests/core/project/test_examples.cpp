@@ -3,7 +3,9 @@
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_summary.h"
 #include "core/format/project_file.h"
+#include "core/phases/phase_decision.h"
 #include "core/project/given_factors.h"
+#include "core/project/iso286.h"
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/constraints.h"
 #include "core/quality/limit_series.h"
@@ -12,6 +14,7 @@
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/traverse.h"
+#include "core/study/new_project.h"
 #include "tests/whole_project.h"
 
 #include "tests/registry.h"
@@ -129,7 +132,7 @@ private slots:
              {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-calibrated",
               "shaft-30h6-factory", "shaft-30h6-measured", "shaft-30h6-slender",
               "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft", "spark-out-until-size",
-              "wheel-dull", "wheel-sharp"}) {
+              "starting-cycle-35k6", "wheel-dull", "wheel-sharp"}) {
             QVERIFY2(m_results.contains(name), name);
         }
     }
@@ -172,6 +175,29 @@ private slots:
     void everyVerdictIsWhatTheEngineSays() {
         const SimulationResult& run = result(QTest::currentDataTag());
         QCOMPARE(lastLine(run.project.notes), verdictOf(run));
+    }
+
+    /// The first example of the gallery is what *New* and `new` make of its drawing, but for its
+    /// texts, and is fit for every stock.
+    void theStartingCycleIsThatOfItsDrawing() {
+        const Project shipped = project("starting-cycle-35k6");
+        StartingDrawing drawing = drawingOf(parseSizeDesignation("35k6").value()).value();
+        drawing.name = shipped.part->name;
+        drawing.length_mm = 28;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 1.25;
+        Issues issues;
+        const auto entries = startingEntries({}, drawing, issues);
+        QVERIFY(entries.has_value());
+        const StartingAnswer answer = drawnProject(drawing, *entries);
+        QVERIFY(answer.start.has_value());
+        Project made = answer.start->project;
+        made.title = shipped.title;
+        made.author = shipped.author;
+        made.notes = shipped.notes;
+        const std::string difference = firstDifference(made, shipped);
+        QVERIFY2(difference.empty(), difference.c_str());
+        QVERIFY(decidePhases(shipped, usualPhases(shipped)).holds());
     }
 
     void aTraverseAndAPlungeHoldTheirDrawing() {

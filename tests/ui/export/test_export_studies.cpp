@@ -14,6 +14,7 @@
 #include "tests/ui/support/xlsx_reader.h"
 #include "ui/export/export_file.h"
 #include "ui/text/language.h"
+#include "ui/text/time_unit.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/part_rows.h"
@@ -250,9 +251,10 @@ private slots:
         const std::vector<const FoundCycle*> front = outcome.front();
         QVERIFY(front.size() > 1);
         const int frontHeads = book.rows(6) - static_cast<int>(front.size());
+        const TimeUnit unit(front.back()->time_s);
         for (std::size_t i = 0; i < front.size(); ++i) {
             const int row = frontHeads + static_cast<int>(i);
-            QVERIFY(sameBits(book.number(6, row, 0), front[i]->time_s / 60));
+            QVERIFY(sameBits(book.number(6, row, 0), unit.of(front[i]->time_s)));
             QVERIFY(sameBits(book.number(6, row, 1), 100 * front[i]->leastRelativeMargin));
         }
         for (int row = 1; row < book.rows(2); ++row) {

@@ -186,6 +186,13 @@ private slots:
             take(told.batch->zone_runout_mm, after.batch->zone_runout_mm);
             take(told.batch->zone_compliance, after.batch->zone_compliance);
         }
+        count +=
+            std::ranges::any_of(before.cycle->stages,
+                                [&after](const Stage& stage) {
+                                    return after.operation->travels && !stage.axial_feed_mm_min;
+                                })
+                ? 1
+                : 0;
         told.optimisation = after.optimisation; // levels for the new feeds, as the stages have them
         QVERIFY2(lines.size() == count, qPrintable(lines.join(u'\n')));
         QCOMPARE(writeProject(told), writeProject(after));
@@ -193,6 +200,18 @@ private slots:
             QVERIFY2(!line.contains(QStringLiteral(":  →")) && !line.endsWith(u' '),
                      qPrintable(line));
         }
+    }
+
+    void axialFeedsThatATraverseSetsAreTold() {
+        const Project plunge = newProject(Operation::plunge);
+        const Project traverse = withOperation(plunge, Operation::traverse);
+        const QStringList lines = changesOfOperation(plunge, traverse);
+        QVERIFY2(lines.contains(
+                     QStringLiteral("Axial feed: not used → 1800\u00a0mm/min, 300\u00a0mm/min")),
+                 qPrintable(lines.join(u'\n')));
+        QVERIFY(!changesOfOperation(traverse, withOperation(traverse, Operation::plunge))
+                     .join(u'\n')
+                     .contains(QStringLiteral("Axial feed")));
     }
 
     void aNewProjectHoldsItsDrawingInAFewMinutes() {

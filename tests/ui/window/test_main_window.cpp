@@ -24,6 +24,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QSignalSpy>
@@ -217,8 +218,19 @@ private slots:
         QVERIFY(!label->isVisibleTo(label->parentWidget()));
     }
 
+    /// A starting cycle is first; the program opens it where no file is given.
+    void theGalleryHasEveryExampleOnceInItsOrder() {
+        QStringList listed = ExamplesDialog::paths(), shipped;
+        QCOMPARE(listed.front(), QStringLiteral(":/examples/starting-cycle-35k6.sparkout"));
+        for (const QString& name : QDir(QStringLiteral(":/examples")).entryList(QDir::Files)) {
+            shipped += QStringLiteral(":/examples/") + name;
+        }
+        listed.sort();
+        shipped.sort();
+        QCOMPARE(listed, shipped);
+    }
+
     void theGalleryOpensEveryExampleAsAnUntitledCopy() {
-        QVERIFY(!ExamplesDialog::paths().isEmpty());
         Document document;
         for (const QString& path : ExamplesDialog::paths()) {
             QVERIFY2(!hasErrors(document.openCopy(ExamplesDialog::textOf(path))), qPrintable(path));

@@ -27,6 +27,7 @@
 #include "ui/part/part_window.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/part_runs.h"
+#include "ui/text/number_text.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/view_tabs.h"
 
@@ -526,6 +527,14 @@ private slots:
         QVERIFY(whole->isVisible());
         const auto* table = whole->findChild<QTableView*>(QStringLiteral("partTable"));
         QCOMPARE(table->model()->rowCount(), 3);
+        const std::vector<SurfaceStatus>& statuses = desk.runs().statuses();
+        const TimeUnit unit(std::ranges::max(statuses, {}, &SurfaceStatus::time_s).time_s);
+        const CsvTable copy = whole->model().table().asTable();
+        QCOMPARE(copy.header[int(PartColumn::time)], unit.titled(QStringLiteral("Cycle")));
+        for (std::size_t i = 0; i < statuses.size(); ++i) {
+            QCOMPARE(std::get<double>(copy.rows[i][std::size_t(PartColumn::time)]),
+                     unit.of(statuses[i].time_s));
+        }
         const auto* times = whole->findChild<QLabel*>(QStringLiteral("pieceTime"));
         QVERIFY(!times->text().contains(QStringLiteral("T<sub>1</sub>"))); // nobody entered it
         DialogAnswers answers({QStringLiteral("Enter")});

@@ -74,7 +74,7 @@ std::vector<ValueHead> headsOf(const SearchOutcome& outcome, const TimeUnit& uni
          .tip = FoundTable::tr("Number of stages"),
          .key = "stages"},
         changeHead(),
-        {.text = FoundTable::tr("Gap, %"),
+        {.text = FoundTable::tr("Excess, %"),
          .tip = FoundTable::tr("By how much a stepless cycle might at most be quicker"),
          .key = "gap"},
         marginHead()};

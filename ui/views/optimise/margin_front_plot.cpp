@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/optimise/margin_front_plot.h"
 
-#include "core/units.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/views/optimise/optimise_text.h"
 
@@ -193,12 +192,14 @@ bool MarginFrontPlot::onKey(int key) {
 // --- table --------------------------------------------------------------------------------------
 
 CsvTable MarginFrontPlot::tableOf(const SearchOutcome& outcome) {
+    const std::vector<const FoundCycle*> points = outcome.front();
+    const TimeUnit unit(points.empty() ? 0 : points.back()->time_s); // the quickest is first
     CsvTable table;
-    table.header << tr("Time, min") << tr("Margin, %") << tr("Stages") << tr("Cycle");
-    for (const FoundCycle* each : outcome.front()) {
-        table.rows.push_back(
-            {each->time_s / units::secondsPerMinute, frontPercent * each->leastRelativeMargin,
-             double(each->cycle.stages.size()), OptimiseText::found(*each, outcome.project)});
+    table.header << unit.titled(tr("Time")) << tr("Margin, %") << tr("Stages") << tr("Cycle");
+    for (const FoundCycle* each : points) {
+        table.rows.push_back({unit.of(each->time_s), frontPercent * each->leastRelativeMargin,
+                              double(each->cycle.stages.size()),
+                              OptimiseText::found(*each, outcome.project)});
     }
     return table;
 }

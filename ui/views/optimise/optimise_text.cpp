@@ -127,8 +127,9 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     if (!outcome.issues.empty()) {
         return Names::refusal(outcome.issues, 2);
     }
-    const bool isOnPage =
-        outcome.fault == GridFault::noLevels || outcome.objectiveFault == ObjectiveFault::noRates;
+    const bool isOnPage = outcome.fault == GridFault::noLevels
+                          || outcome.fault == GridFault::wholeRatio
+                          || outcome.objectiveFault == ObjectiveFault::noRates;
     return outcome.batchIssues.empty()
                ? QString::fromStdString(SearchText().fault(outcome))
                      + (isOnPage ? u' ' + tr("See the page Search of the inputs.") : QString())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/optimise/stage_count_plot.h"
 
-#include "core/units.h"
 #include "ui/plot/quantity_colour.h"
+#include "ui/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,6 @@
 #include <utility>
 
 namespace sparkout {
-
-namespace {
-
-double inMinutes(double time_s) {
-    return time_s / units::secondsPerMinute;
-}
-
-} // namespace
 
 StageCountPlot::StageCountPlot(QWidget* parent) : BarPlot(parent) {}
 
@@ -72,15 +64,20 @@ CsvTable StageCountPlot::table() const {
 }
 
 CsvTable StageCountPlot::tableOf(const SearchOutcome& outcome) {
-    CsvTable table;
-    table.header << tr("Stages") << tr("Quickest cycle, min") << tr("None is below, min")
-                 << tr("Stepless limit, min");
+    const bool isLimited = isKnownLimit(outcome.limit.time_s);
+    double longest_s = isLimited ? outcome.limit.time_s : 0;
     for (const SearchedNumber& number : outcome.numbers) {
-        table.rows.push_back(
-            {double(number.stages), number.best_s ? CsvCell(inMinutes(*number.best_s)) : CsvCell(),
-             inMinutes(number.bound_s),
-             isKnownLimit(outcome.limit.time_s) ? CsvCell(inMinutes(outcome.limit.time_s))
-                                                : CsvCell()});
+        longest_s = std::max({longest_s, number.best_s.value_or(0), number.bound_s});
+    }
+    const TimeUnit unit(longest_s);
+    CsvTable table;
+    table.header << tr("Stages") << unit.titled(tr("Time of the quickest cycle"))
+                 << unit.titled(tr("None is below")) << unit.titled(tr("Stepless limit"));
+    for (const SearchedNumber& number : outcome.numbers) {
+        table.rows.push_back({double(number.stages),
+                              number.best_s ? CsvCell(unit.of(*number.best_s)) : CsvCell(),
+                              unit.of(number.bound_s),
+                              isLimited ? CsvCell(unit.of(outcome.limit.time_s)) : CsvCell()});
     }
     return table;
 }

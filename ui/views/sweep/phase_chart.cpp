@@ -268,16 +268,19 @@ LineChart PhaseChart::of(const PhaseOutcomePtr& phases) {
 
 ChartTable PhaseChart::table(const PhaseDecision& decision) {
     std::size_t stages = 0;
+    double longest_s = 0;
     for (const DecidedPiece& each : decision.pieces) {
         stages = std::max(stages, each.piece.counts.size());
+        longest_s = std::max(longest_s, each.time_s);
     }
+    const TimeUnit unit(longest_s);
     ChartTable table;
     QStringList& header = table.cells.header;
     header << tr("From stock per side, mm") << tr("To stock per side, mm");
     for (std::size_t i = 0; i < stages; ++i) {
         header << tr("Steps of stage %1").arg(i + 1);
     }
-    header << tr("Time, min") << tr("Minimum deviation of the diameter, µm")
+    header << unit.titled(tr("Time")) << tr("Minimum deviation of the diameter, µm")
            << tr("Maximum deviation of the diameter, µm") << tr("Verdict");
     for (const DecidedPiece& each : decision.pieces) {
         std::vector<CsvCell> row{each.piece.from_mm, each.piece.to_mm};
@@ -285,7 +288,7 @@ ChartTable PhaseChart::table(const PhaseDecision& decision) {
             row.push_back(i < each.piece.counts.size() ? CsvCell(double(each.piece.counts[i]))
                                                        : CsvCell());
         }
-        row.emplace_back(each.time_s / units::secondsPerMinute);
+        row.emplace_back(unit.of(each.time_s));
         const auto low = PhaseText::sizes(each.low), high = PhaseText::sizes(each.high);
         row.push_back(low && high ? CsvCell(low->least_mm * units::umPerMm) : CsvCell());
         row.push_back(low && high ? CsvCell(high->most_mm * units::umPerMm) : CsvCell());

@@ -15,7 +15,6 @@
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
-#include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -35,10 +34,9 @@ constexpr int exampleDigits = 3;
 } // namespace
 
 QStringList ExamplesDialog::paths() {
-    const QDir folder(QStringLiteral(":/examples"));
     QStringList list;
-    for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
-        list += folder.filePath(name);
+    for (const QString& name : exampleFiles()) {
+        list += QStringLiteral(":/examples/") + name;
     }
     return list;
 }

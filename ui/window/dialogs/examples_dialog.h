@@ -23,7 +23,7 @@ public:
     [[nodiscard]] QByteArray chosenText() const;
     [[nodiscard]] QString chosenTitle() const;
 
-    /// Paths of the shipped examples in the resources, in order.
+    /// Paths of the shipped examples in the resources, in the order of exampleFiles().
     [[nodiscard]] static QStringList paths();
     [[nodiscard]] static QByteArray textOf(const QString& path);
 

@@ -327,9 +327,11 @@ private slots:
         QCOMPARE(curve.size(), engine.cycles.size());
         const CsvTable table = plot.table();
         QCOMPARE(table.rows.size(), engine.cycles.size());
+        const TimeUnit unit(engine.cycles.back().best->time_s);
+        QCOMPARE(table.header[0], unit.titled(QStringLiteral("Time")));
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const FeasibleCycle& best = *engine.cycles[i].best;
-            QCOMPARE(std::get<double>(table.rows[i][0]), best.time_s / 60);
+            QCOMPARE(std::get<double>(table.rows[i][0]), unit.of(best.time_s));
             QCOMPARE(std::get<double>(table.rows[i][1]), 100 * best.leastRelativeMargin);
             QCOMPARE(curve[i].x, best.time_s / unitOf_s(plot));
         }
@@ -749,6 +751,32 @@ private slots:
             QCOMPARE(found.cells[0][0].text, QString::fromLatin1(each.best));
             QCOMPARE(found.asTable().header[0], head);
             QCOMPARE(std::get<double>(found.asTable().rows[0][0]), each.copied);
+        }
+    }
+
+    void copiedTablesOfPlotsHaveTheUnitOfTheLongestTime() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        FoundCycle& found = outcome.found.emplace_back();
+        found.by = FoundBy::margin;
+        SearchedNumber& number = outcome.numbers.emplace_back();
+        struct Case {
+            double time_s;
+            const char* unit;
+            double copied;
+        };
+        for (const Case& each : {Case{90, "s", 90}, Case{150, "min", 2.5}}) {
+            found.time_s = each.time_s;
+            number.best_s = each.time_s;
+            const CsvTable margins = MarginFrontPlot::tableOf(outcome);
+            QCOMPARE(margins.header[0],
+                     QStringLiteral("Time, %1").arg(QLatin1StringView(each.unit)));
+            QCOMPARE(std::get<double>(margins.rows[0][0]), each.copied);
+            const CsvTable numbers = StageCountPlot::tableOf(outcome);
+            QCOMPARE(
+                numbers.header[1],
+                QStringLiteral("Time of the quickest cycle, %1").arg(QLatin1StringView(each.unit)));
+            QCOMPARE(std::get<double>(numbers.rows[0][1]), each.copied);
         }
     }
 

@@ -275,6 +275,17 @@ private slots:
         QVERIFY(std::ranges::all_of(table.rows, [&](const auto& row) {
             return row.size() == static_cast<std::size_t>(table.header.size());
         }));
+        const TimeUnit unit = StateGridText::unit(bench.grid());
+        const qsizetype time = table.header.indexOf(unit.titled(QStringLiteral("T")));
+        QVERIFY2(time > 0, qPrintable(table.header.join(u';')));
+        const std::size_t feeds = bench.grid().feeds.size();
+        for (std::size_t row = 0; row < table.rows.size(); ++row) {
+            const CsvCell& cell = table.rows[row][static_cast<std::size_t>(time)];
+            const GridState& state =
+                bench.grid().state(static_cast<int>(row / feeds) + 1, row % feeds);
+            QCOMPARE(cell.index() != 0, state.time_s.has_value());
+            QVERIFY(!state.time_s || std::get<double>(cell) == unit.of(*state.time_s));
+        }
     }
 
     void twentyByFortyIsSteppedWithoutAStall() {

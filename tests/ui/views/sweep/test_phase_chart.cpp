@@ -10,6 +10,7 @@
 #include "ui/plot/chart_plot.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
+#error
 #include "ui/views/sweep/phase_chart.h"
 #include "ui/views/sweep/sweep_bars.h"
 #include "ui/views/sweep/sweep_view.h"
@@ -164,9 +165,13 @@ private slots:
         const CsvTable table = plot.table();
         QCOMPARE(table.rows.size(), decided.pieces.size());
         QCOMPARE(table.header.size(), qsizetype(6 + project.cycle->stages.size()));
+        const TimeUnit unit(std::ranges::max(decided.pieces, {}, &DecidedPiece::time_s).time_s);
+        const std::size_t time = 2 + project.cycle->stages.size();
+        QCOMPARE(table.header[qsizetype(time)], unit.titled(QStringLiteral("Time")));
         for (std::size_t i = 0; i < decided.pieces.size(); ++i) {
             QCOMPARE(std::get<double>(table.rows[i][0]), decided.pieces[i].piece.from_mm);
             QCOMPARE(std::get<double>(table.rows[i][2]), double(decided.pieces[i].piece.counts[0]));
+            QCOMPARE(std::get<double>(table.rows[i][time]), unit.of(decided.pieces[i].time_s));
             QCOMPARE(std::get<QString>(table.rows[i].back()) == QStringLiteral("fit"),
                      decided.pieces[i].holdsWhole());
         }
