@@ -14,7 +14,7 @@
 #include "tests/ui/support/xlsx_reader.h"
 #include "ui/export/export_file.h"
 #include "ui/text/language.h"
-#include "ui/text/time_unit.h"
+#include "ui/text/number_text.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/part_rows.h"
