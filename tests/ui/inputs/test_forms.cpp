@@ -136,12 +136,13 @@ private slots:
         QVERIFY(!document.canUndo());
     }
 
-    void aNumberOfSectionsTypedDigitByDigitKeepsTheirCompliance() {
+    void aNumberOfSectionsTypedDigitByDigitKeepsTheirComplianceAndTheRuns() {
         Document document;
         Project project = newProject(Operation::plunge);
         project = withSections(std::move(project), 4);
         project.machine->compliance_mm_per_n = std::vector{6e-5, 7e-5, 8e-5, 9e-5};
         project.gauge->section = 3;
+        project.runs = {{"kept", "2026-01-01T00:00:00Z", "1.0.0", {"{}"}, {"{}"}}};
         document.startUntitled(project);
         FormPage page(Page::cycle, document);
         page.show();
@@ -155,8 +156,10 @@ private slots:
         typeOver(*sections, QStringLiteral("12"));
         QVERIFY(sameProject(document.project(), withSections(project, 12)));
         QCOMPARE(document.project().gauge->section, project.gauge->section);
+        QVERIFY(document.project().runs == project.runs);
         document.undo();
         QVERIFY(sameProject(document.project(), project));
+        QVERIFY(document.project().runs == project.runs);
     }
 
     void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone_data() {
