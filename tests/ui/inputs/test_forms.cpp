@@ -22,8 +22,6 @@
 #include <QPointer>
 #include <QTextDocumentFragment>
 
-#include <functional>
-
 namespace sparkout::test_forms {
 
 using namespace inputs_bench;
@@ -211,32 +209,6 @@ private slots:
             }
         }
         QVERIFY2(edited > 30, qPrintable(QString::number(edited)));
-    }
-
-    // What the engine judges by can be entered: every leaf of a part's inputs is on a page.
-    void everyInputHasItsPage() {
-        Document document;
-        InputsPanel panel(document);
-        QStringList missing;
-        const std::function<void(const StructInfo&, const std::string&)> look =
-            [&](const StructInfo& table, const std::string& path) {
-                for (const Field& field : table.fields) {
-                    const std::string at = path + "/" + field.key;
-                    if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
-                        look(*field.nested, at);
-                    } else if (std::none_of(panel.pages().begin(), panel.pages().end(),
-                                            [&](FormPage* page) { return page->holds(at); })) {
-                        missing += QString::fromStdString(at);
-                    }
-                }
-            };
-        look(tableOf<Part>(), "/part");
-        look(tableOf<Material>(), "/material");
-        look(tableOf<Wheel>(), "/wheel");
-        look(tableOf<Machine>(), "/machine");
-        look(tableOf<Gauge>(), "/gauge");
-        look(tableOf<Cycle>(), "/cycle");
-        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
     void rowsThatAreNoneAreRefusedAndStayInSight() {
