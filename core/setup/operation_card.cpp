@@ -130,7 +130,6 @@ private:
             regime.feeds = stage.feeds();
             regime.untilSize = stage.waitsForSize();
             regime.radialFeed = stage.feeds() ? (stage.*radial.value).value_or(0) : 0;
-            regime.perMinute = !project.operation->travels;
             if (axial) {
                 regime.axialFeed_mm_min = stage.*axial->value;
             }

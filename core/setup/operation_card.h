@@ -35,13 +35,12 @@ struct CardRegime {
     int stage = 1; ///< counted from 1
     double diameter_mm = 0;
     double length_mm = 0;
-    double stock_mm = 0; ///< per side
-    int steps = 0;       ///< double strokes or revolutions in the run
-    bool countsStrokes = false;
-    bool feeds = true; ///< false: it sparks out
+    double stock_mm = 0;        ///< per side
+    int steps = 0;              ///< double strokes or revolutions in the run
+    bool countsStrokes = false; ///< false: revolutions
+    bool feeds = true;          ///< false: it sparks out
     bool untilSize = false;
-    double radialFeed = 0; ///< mm per double stroke, or mm/min where `perMinute`
-    bool perMinute = false;
+    double radialFeed = 0; ///< mm per double stroke, or mm/min where revolutions are counted
     std::optional<double> axialFeed_mm_min;
     double continuousFeed_mm_min = 0;
     double workSpeed_rpm = 0;

@@ -80,6 +80,20 @@ const Option& rowOf(const Program& program, const QStringList& words, const QStr
     return *optionNamed(*command, name.toStdString());
 }
 
+/// The sections of a help page with a usage line of a command; for a program with commands the text
+/// before the first section, which is about all of them.
+QString textOn(const QString& html, const Program& program, const Command& command) {
+    static const QRegularExpression heading("(?=<h2 )");
+    const QStringList parts = html.split(heading);
+    if (&command == &program && !program.commands.empty()) {
+        return parts.front();
+    }
+    const QString words = (QStringList{program.name} + wordsTo(program, command)).join(u' ');
+    const QRegularExpression usage("(^|<pre>)" + words + "(?= )",
+                                   QRegularExpression::MultilineOption);
+    return parts.filter(usage).join(u'\n');
+}
+
 class TestCliOptions : public QObject {
     Q_OBJECT
 
@@ -272,6 +286,32 @@ private slots:
         QFETCH(QStringList, words);
         QFETCH(QString, fault);
         QCOMPARE(faultOf(programNamed(program), words), fault);
+    }
+
+    void helpPageNamesEveryOptionBesideItsCommand_data() {
+        addColumns<QString>("language");
+        addRow("English", QString("en"));
+        addRow("Russian", QString("ru"));
+    }
+    void helpPageNamesEveryOptionBesideItsCommand() {
+        QFETCH(QString, language);
+        QFile file(SPARKOUT_SOURCE_DIR "/resources/help/" + language + "/cli.html");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString html = QString::fromUtf8(file.readAll());
+        QStringList missing;
+        for (const Program* program : programs) {
+            for (const Command* command : withAllBelow(*program)) {
+                const QString text = textOn(html, *program, *command);
+                for (const Option& option : command->options) {
+                    const QRegularExpression named("(?<![\\w-])" + QString(option.name)
+                                                   + "(?![\\w-])");
+                    if (!text.contains(named)) {
+                        missing << QString(command->name) + ' ' + option.name;
+                    }
+                }
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
     void everyRowIsSound() {

@@ -323,9 +323,9 @@ QString Document::roundKey(const QString& mergeKey) const {
     return mergeKey.isEmpty() ? QString() : QString::number(m_mergeRound) + u' ' + mergeKey;
 }
 
-const Project& Document::beforeEditsOf(const QString& mergeKey) const {
+Project Document::beforeEditsOf(const QString& mergeKey) const {
     const SurfaceState* before = beforeJoined(m_present.inFront().id, mergeKey);
-    return before ? before->project : m_project;
+    return before ? before->withRuns() : m_project;
 }
 
 /// A surface before the edits with this key that a further edit would join; null if it joins none.

@@ -94,8 +94,9 @@ public:
     /// Marks the document as stored elsewhere, as by a lesson, so that it has no changes that a
     /// file could lose.
     void keepElsewhere();
-    /// Returns the project before the edits with this key that a further edit would join.
-    [[nodiscard]] const Project& beforeEditsOf(const QString& mergeKey) const;
+    /// Returns the project before the edits with this key that a further edit would join, with its
+    /// kept runs.
+    [[nodiscard]] Project beforeEditsOf(const QString& mergeKey) const;
 
     [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
@@ -110,8 +111,8 @@ public:
     /// Returns that cycle; null where no cycle follows the drawing, or none can grind the part.
     [[nodiscard]] const StartingCycle* followingCycle() const;
 
-    /// Returns the project as it last was under an operation, as far as undo reaches; null: it
-    /// never was.
+    /// Returns the project as it last was under an operation, as far as undo reaches, without kept
+    /// runs if that was before; null: it never was.
     [[nodiscard]] const Project* lastWith(Operation operation) const;
 
     void startUntitled(Project project);

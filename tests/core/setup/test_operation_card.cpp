@@ -46,7 +46,6 @@ void compareStage(const CardRegime& regime, const SimulationResult& result, std:
                                                * project.machine->work_speed_rpm / 1000));
     QCOMPARE(regime.feeds, stage.feeds());
     const bool traverse = project.operation == Operation::traverse;
-    QCOMPARE(regime.perMinute, !traverse);
     QCOMPARE(regime.countsStrokes, traverse);
     if (stage.feeds()) {
         QCOMPARE(regime.radialFeed, traverse ? *stage.radial_feed_mm : *stage.radial_feed_mm_min);

@@ -22,8 +22,6 @@
 #include <QPointer>
 #include <QTextDocumentFragment>
 
-#include <functional>
-
 namespace sparkout::test_forms {
 
 using namespace inputs_bench;
@@ -136,12 +134,13 @@ private slots:
         QVERIFY(!document.canUndo());
     }
 
-    void aNumberOfSectionsTypedDigitByDigitKeepsTheirCompliance() {
+    void aNumberOfSectionsTypedDigitByDigitKeepsTheirComplianceAndTheRuns() {
         Document document;
         Project project = newProject(Operation::plunge);
         project = withSections(std::move(project), 4);
         project.machine->compliance_mm_per_n = std::vector{6e-5, 7e-5, 8e-5, 9e-5};
         project.gauge->section = 3;
+        project.runs = {{"kept", "2026-01-01T00:00:00Z", "1.0.0", {"{}"}, {"{}"}}};
         document.startUntitled(project);
         FormPage page(Page::cycle, document);
         page.show();
@@ -155,8 +154,10 @@ private slots:
         typeOver(*sections, QStringLiteral("12"));
         QVERIFY(sameProject(document.project(), withSections(project, 12)));
         QCOMPARE(document.project().gauge->section, project.gauge->section);
+        QVERIFY(document.project().runs == project.runs);
         document.undo();
         QVERIFY(sameProject(document.project(), project));
+        QVERIFY(document.project().runs == project.runs);
     }
 
     void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone_data() {
@@ -208,32 +209,6 @@ private slots:
             }
         }
         QVERIFY2(edited > 30, qPrintable(QString::number(edited)));
-    }
-
-    // What the engine judges by can be entered: every leaf of a part's inputs is on a page.
-    void everyInputHasItsPage() {
-        Document document;
-        InputsPanel panel(document);
-        QStringList missing;
-        const std::function<void(const StructInfo&, const std::string&)> look =
-            [&](const StructInfo& table, const std::string& path) {
-                for (const Field& field : table.fields) {
-                    const std::string at = path + "/" + field.key;
-                    if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
-                        look(*field.nested, at);
-                    } else if (std::none_of(panel.pages().begin(), panel.pages().end(),
-                                            [&](FormPage* page) { return page->holds(at); })) {
-                        missing += QString::fromStdString(at);
-                    }
-                }
-            };
-        look(tableOf<Part>(), "/part");
-        look(tableOf<Material>(), "/material");
-        look(tableOf<Wheel>(), "/wheel");
-        look(tableOf<Machine>(), "/machine");
-        look(tableOf<Gauge>(), "/gauge");
-        look(tableOf<Cycle>(), "/cycle");
-        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
     void rowsThatAreNoneAreRefusedAndStayInSight() {

@@ -137,6 +137,22 @@ private slots:
         QVERIFY(!document.modified());
     }
 
+    void editsThatJoinKeepTheRuns() {
+        Project project = withSections(newProject(Operation::plunge), 4);
+        project.runs = {{"kept", "2026-01-01T00:00:00Z", "1.0.0", {"{}"}, {"{}"}}};
+        Untitled document(project);
+        const QString key = QStringLiteral("/sections");
+        for (const int sections : {1, 12}) {
+            document.edit(withSections(document.beforeEditsOf(key), sections), editText, key);
+            QVERIFY(document.project().runs == project.runs);
+        }
+        QVERIFY(sameProject(document.project(), withSections(project, 12)));
+        document.undo();
+        QVERIFY(sameProject(document.project(), project));
+        QVERIFY(document.project().runs == project.runs);
+        QVERIFY(!document.canUndo());
+    }
+
     void anEditThatChangesNothingIsNoStep() {
         Untitled document(newProject(Operation::traverse));
         QSignalSpy changed(&document, &Document::changed);
@@ -461,7 +477,8 @@ private slots:
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 31), editText, key);
         document.showSurface(1);
-        QCOMPARE(document.beforeEditsOf(key).part->diameter_mm, 30.0);
+        const Project before = document.beforeEditsOf(key);
+        QCOMPARE(before.part->diameter_mm, 30.0);
         document.edit(withDiameter(document.project(), 32), editText, key);
         document.undo();
         QCOMPARE(document.setup().surfaces[0].project.part->diameter_mm, 31.0);

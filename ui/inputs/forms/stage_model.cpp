@@ -76,8 +76,8 @@ void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
         to.radial_feed_mm_min.reset();
         to.continuous_feed_mm_min.reset();
     } else if (to.feeds() && !before.feeds()) {
-        const auto& started =
-            document().beforeEditsOf(QString::fromStdString(path(index))).cycle->stages;
+        const Project begun = document().beforeEditsOf(QString::fromStdString(path(index)));
+        const auto& started = begun.cycle->stages;
         if (std::size_t(index.row()) < started.size()) { // restores values removed by this edit
             to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
             to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;

@@ -182,7 +182,8 @@ QString CardRows::regime(const CardRegime& regime) {
                + (regime.untilSize ? tr("spark-out until size, %1").arg(steps)
                                    : tr("spark-out, %1").arg(steps));
     }
-    QString feed = regime.perMinute ? tr("S radial, mm/min") : tr("S radial, mm per double stroke");
+    QString feed =
+        regime.countsStrokes ? tr("S radial, mm per double stroke") : tr("S radial, mm/min");
     if (regime.radialFeed < 0) {
         feed = tr("retraction, mm/min");
     }
