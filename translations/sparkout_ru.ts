@@ -23480,22 +23480,20 @@ s</source>
     <context>
         <name>WheelWidths</name>
         <message>
-            <source>to traverse %1 mm (overruns of a third)</source>
-            <comment>widths of wheels</comment>
-            <translation>с продольной подачей – %1 мм (перебеги в треть ширины)</translation>
+            <source>to traverse {value} mm (overruns of a third at most)</source>
+            <translation>с продольной подачей – {value} мм (перебеги не больше трети ширины)</translation>
         </message>
         <message>
-            <source>to plunge %1 mm</source>
-            <comment>widths of wheels</comment>
-            <translation>врезанием – %1 мм</translation>
+            <source>to plunge {value} mm</source>
+            <translation>врезанием – {value} мм</translation>
         </message>
         <message>
             <source>no wheel of the catalogue would do</source>
             <translation>в каталоге нет подходящего круга</translation>
         </message>
         <message>
-            <source>of the catalogue's wheels would do: %1</source>
-            <translation>из кругов каталога подходят: %1</translation>
+            <source>widths of the catalogue's wheels that would do: {value}</source>
+            <translation>подходящая ширина кругов каталога: {value}</translation>
         </message>
     </context>
     <context>

@@ -114,6 +114,9 @@ private slots:
         addRow("room",
                QStringList{"40h6", "--length", "80", "--stock", "0.15", "--shoulder", "both"},
                QString("--length"), QString("100"));
+        addRow("wheels for the room",
+               QStringList{"40h6", "--length", "80", "--stock", "0.15", "--shoulder", "both"},
+               QString("would do: to traverse 25 mm"), QString("to plunge 80 mm"));
         addRow("narrow wheel",
                QStringList{"40h6", "--length", "80", "--stock", "0.15", "--operation", "plunge"},
                QString("--operation traverse, or --wheel: 50 mm does not cover "),
