@@ -17762,7 +17762,8 @@ target, µm</source>
         </message>
         <message>
             <source>actual feed</source>
-            <translation>фактическая подача</translation>
+            <comment>legend</comment>
+            <translation>факт. подача</translation>
         </message>
         <message>
             <source>Stock left after the cut, µm</source>
