@@ -15,6 +15,7 @@
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
 #include "ui/plot/chart_plot.h"
+#include "ui/plot/view_plot.h"
 #include "ui/views/batch/batch_view.h"
 
 #include <QDir>
@@ -26,6 +27,8 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QTextBrowser>
+
+#include <algorithm>
 
 namespace test_lesson_mode {
 
@@ -302,6 +305,20 @@ private slots:
         student.show(1);
         QVERIFY(QTest::qWaitFor(run, 30'000));
         QVERIFY(tellsIndices() && everyText().contains(QStringLiteral("Ppk")));
+    }
+
+    /// Whatever view was in front: a sweep that nobody has run is empty.
+    void aLessonOpensOnAViewWithContent() {
+        Seat student;
+        QVERIFY(student.window.showView(QStringLiteral("sweep")));
+        student.begin();
+        student.show(0);
+        QVERIFY(!student.desk().isCovered());
+        const View* front = student.window.viewTabs().currentView();
+        QVERIFY(front->isVisible() && front->objectName() != u"sweep");
+        const auto plots = front->findChildren<ViewPlot*>();
+        QVERIFY2(std::ranges::any_of(plots, [](const ViewPlot* plot) { return plot->isVisible(); }),
+                 qPrintable(front->objectName()));
     }
 
     void everyViewCanBeHiddenByItsName() {
