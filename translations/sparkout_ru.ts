@@ -13321,8 +13321,8 @@ With another name both versions stay as they are.</source>
             <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>%1 contains no project. Only cards and passports written by Sparkout contain one.</source>
-            <translation>%1 не содержит проекта. Он вложен в карты и паспорта, которые пишет Sparkout.</translation>
+            <source>%1 contains no project. Cards, passports, hand-outs and drawings written by Sparkout contain one.</source>
+            <translation>%1 не содержит проекта. Он вложен в карты, паспорта, раздаточные материалы и рисунки, которые пишет Sparkout.</translation>
         </message>
     </context>
     <context>
