@@ -2,10 +2,12 @@
 // Labels: numbers
 // Two ranks of inputs: the usual ones are seen, of the others those that say something here.
 #include "core/lesson/lesson.h"
+#include "core/project/iso286.h"
 #include "core/project/material.h"
 #include "core/project/measured.h"
 #include "core/project/member.h"
 #include "core/project/wheel.h"
+#include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/whole_project.h"
@@ -63,6 +65,15 @@ struct Bench {
     std::unique_ptr<InputsPanel> panel;
 };
 
+/// A bore 60H7 of a length, as a new project is begun.
+Project startingBore(double length_mm) {
+    StartingDrawing drawing = *drawingOf(*parseSizeDesignation("60H7"));
+    drawing.length_mm = length_mm;
+    drawing.stock_mm = 0.15;
+    Issues issues;
+    return drawnProject(drawing, *startingEntries({}, drawing, issues)).start->project;
+}
+
 class TestInputRank : public QObject {
     Q_OBJECT
 
@@ -70,10 +81,11 @@ private slots:
     /// Also a bore, and a new project that is not touched.
     void aUsualSurfaceShowsAtMostFortyFields() {
         std::vector<std::pair<std::string, Project>> projects{
-            {"new plunge", newProject(Operation::plunge)},
-            {"new traverse", newProject(Operation::traverse)}};
-        for (const std::string name :
-             {"plunge-shaft-two-stage", "shaft-30h6-factory", "internal-plunge", "through-bore"}) {
+            {"new plunge", undrawnProject(Operation::plunge)},
+            {"new traverse", undrawnProject(Operation::traverse)},
+            {"short bore", startingBore(30)},
+            {"long bore", startingBore(70)}};
+        for (const std::string name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
             projects.emplace_back(name,
                                   samples::projectIn("resources/examples/" + name + ".sparkout"));
         }
