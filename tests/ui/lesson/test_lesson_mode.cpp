@@ -310,15 +310,15 @@ private slots:
         QVERIFY(tellsIndices() && everyText().contains(QStringLiteral("Ppk")));
     }
 
-    /// Whatever view was in front: a sweep that nobody has run is empty.
+    /// Whatever view was in front: without measured parts theirs is empty.
     void aLessonOpensOnAViewWithContent() {
         Seat student;
-        QVERIFY(student.window.showView(QStringLiteral("sweep")));
+        QVERIFY(student.window.showView(QStringLiteral("measured")));
         student.begin();
         student.show(0);
         QVERIFY(!student.desk().isCovered());
         const View* front = student.window.viewTabs().currentView();
-        QVERIFY(front->isVisible() && front->objectName() != u"sweep");
+        QVERIFY(front->isVisible() && front->objectName() != u"measured");
         const auto plots = front->findChildren<ViewPlot*>();
         QVERIFY2(std::ranges::any_of(plots, [](const ViewPlot* plot) { return plot->isVisible(); }),
                  qPrintable(front->objectName()));
