@@ -10,6 +10,7 @@
 #include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/form_access.h"
@@ -85,9 +86,8 @@ private slots:
             {"new traverse", undrawnProject(Operation::traverse)},
             {"short bore", startingBore(30)},
             {"long bore", startingBore(70)}};
-        for (const std::string name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
-            projects.emplace_back(name,
-                                  samples::projectIn("resources/examples/" + name + ".sparkout"));
+        for (const char* name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
+            projects.emplace_back(name, exampleProject(name));
         }
         for (const auto& [name, project] : projects) {
             Bench bench(project);
