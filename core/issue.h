@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -163,6 +164,15 @@ struct Quoted {
 
 using Detail = std::variant<std::monostate, Amount, Count, Bounds, Keys, Phrase, Numeral, Quoted>;
 
+/// A ground length that the wheel neither covers nor travels along, and what decides which wheel
+/// would do.
+struct WheelNeed {
+    double length_mm = 0;
+    double overrun_entry_mm = 0, overrun_exit_mm = 0;
+    std::optional<double> bore_mm = {}; ///< a wheel must be smaller; not given: a shaft
+    friend bool operator==(const WheelNeed&, const WheelNeed&) = default;
+};
+
 /// A fault of an input: its path, its value and the allowed one. The text is made by
 /// words/issue_words.h. Units, fields and formulas are static texts of the program.
 struct Issue {
@@ -171,6 +181,7 @@ struct Issue {
     std::string path; ///< JSON pointer, e.g. "/wheel/width_mm"; empty for the whole file
     Detail value;     ///< value found
     Detail limit;     ///< allowed value, or the one compared with
+    std::optional<WheelNeed> wheel = {}; ///< of zoneTooShort and wheelTooNarrow
 
     friend bool operator==(const Issue&, const Issue&) = default;
 };

@@ -13389,8 +13389,8 @@ With another name both versions stay as they are.</source>
             <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>%1 contains no project. Only cards and passports written by Sparkout contain one.</source>
-            <translation>%1 не содержит проекта. Он вложен в карты и паспорта, которые пишет Sparkout.</translation>
+            <source>%1 contains no project. Cards, passports, hand-outs and drawings written by Sparkout contain one.</source>
+            <translation>%1 не содержит проекта. Он вложен в карты, паспорта, раздаточные материалы и рисунки, которые пишет Sparkout.</translation>
         </message>
     </context>
     <context>
@@ -17842,7 +17842,8 @@ target, µm</source>
         </message>
         <message>
             <source>actual feed</source>
-            <translation>фактическая подача</translation>
+            <comment>legend</comment>
+            <translation>факт. подача</translation>
         </message>
         <message>
             <source>Stock left after the cut, µm</source>
@@ -23565,22 +23566,20 @@ s</source>
     <context>
         <name>WheelWidths</name>
         <message>
-            <source>to traverse %1 mm (overruns of a third)</source>
-            <comment>widths of wheels</comment>
-            <translation>с продольной подачей – %1 мм (перебеги в треть ширины)</translation>
+            <source>to traverse {value} mm (overruns of a third at most)</source>
+            <translation>с продольной подачей – {value} мм (перебеги не больше трети ширины)</translation>
         </message>
         <message>
-            <source>to plunge %1 mm</source>
-            <comment>widths of wheels</comment>
-            <translation>врезанием – %1 мм</translation>
+            <source>to plunge {value} mm</source>
+            <translation>врезанием – {value} мм</translation>
         </message>
         <message>
             <source>no wheel of the catalogue would do</source>
             <translation>в каталоге нет подходящего круга</translation>
         </message>
         <message>
-            <source>of the catalogue's wheels would do: %1</source>
-            <translation>из кругов каталога подходят: %1</translation>
+            <source>widths of the catalogue's wheels that would do: {value}</source>
+            <translation>подходящая ширина кругов каталога: {value}</translation>
         </message>
     </context>
     <context>

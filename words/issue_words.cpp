@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/issue_words.h"
 
+#include "core/catalogue/shipped_catalogue.h"
 #include "core/digits.h"
 #include "core/project/validate.h"
 #include "core/text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 namespace sparkout {
 
@@ -37,6 +41,22 @@ std::string filled(const std::string& sentence, const std::string& value,
         }
     }
     return out;
+}
+
+/// Whether a wheel is made for the surface; a smaller wheel than for shafts stands on a quill.
+bool isForSurface(const Wheel& wheel, const WheelNeed& need) {
+    constexpr double leastForShafts_mm = 100;
+    return need.bore_mm ? wheel.diameter_mm < *need.bore_mm
+                        : wheel.diameter_mm >= leastForShafts_mm;
+}
+
+/// Whether both reversal zones leave a zone between them. A wheel overruns an end by a third of its
+/// width, or by less where the given overrun is less, as beside a shoulder.
+bool travelsAlong(double width_mm, const WheelNeed& need) {
+    const auto zone_mm = [width_mm](double overrun_mm) {
+        return width_mm - std::min(overrun_mm, width_mm / 3);
+    };
+    return zone_mm(need.overrun_entry_mm) + zone_mm(need.overrun_exit_mm) < need.length_mm;
 }
 
 } // namespace
@@ -296,8 +316,48 @@ const char* wordsOf(Phrase phrase) {
 }
 
 std::string Wording::sentence(const Issue& issue) const {
-    return filled(translated("Issue", wordsOf(issue.code).sentence), detail(issue.value),
-                  detail(issue.limit));
+    const std::string fault = filled(translated("Issue", wordsOf(issue.code).sentence),
+                                     detail(issue.value), detail(issue.limit));
+    return issue.wheel ? fault + " (" + wheels(*issue.wheel) + ')' : fault;
+}
+
+/// The widths of wheels of the shipped catalogue that would do, the nearest first.
+std::string Wording::wheels(const WheelNeed& need) const {
+    std::set<double, std::greater<>> narrow;
+    std::set<double> covering;
+    for (const WheelEntry& entry : shippedEntries<WheelEntry>()) {
+        const double width_mm = entry.value.width_mm;
+        if (!isForSurface(entry.value, need)) {
+            continue;
+        }
+        if (width_mm >= need.length_mm) {
+            covering.insert(width_mm);
+        } else if (travelsAlong(width_mm, need)) {
+            narrow.insert(width_mm);
+        }
+    }
+    std::string fitting;
+    const auto add = [&](const auto& widths, const char* text) {
+        std::string numbers;
+        for (const double width_mm : widths) {
+            numbers += (numbers.empty() ? "" : ", ") + number(width_mm);
+        }
+        if (!numbers.empty()) {
+            fitting += (fitting.empty() ? "" : "; ")
+                       + filled(translated("WheelWidths", text), numbers, {});
+        }
+    };
+    add(narrow,
+        SPARKOUT_NOOP("WheelWidths", "to traverse {value} mm (overruns of a third at most)"));
+    add(covering, SPARKOUT_NOOP("WheelWidths", "to plunge {value} mm"));
+    return fitting.empty()
+               ? translated("WheelWidths",
+                            SPARKOUT_NOOP("WheelWidths", "no wheel of the catalogue would do"))
+               : filled(translated("WheelWidths",
+                                   SPARKOUT_NOOP("WheelWidths",
+                                                 "widths of the catalogue's wheels that would do: "
+                                                 "{value}")),
+                        fitting, {});
 }
 
 std::string Wording::detail(const Detail& detail) const {

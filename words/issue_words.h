@@ -40,6 +40,7 @@ protected:
     [[nodiscard]] virtual std::string formula(const std::string& letters) const;
 
 private:
+    [[nodiscard]] std::string wheels(const WheelNeed& need) const;
     [[nodiscard]] std::string text(std::monostate) const;
     [[nodiscard]] std::string text(const Amount& amount) const;
     [[nodiscard]] std::string text(const Count& count) const;

@@ -353,6 +353,20 @@ private:
         }
     }
 
+    /// Completes a refusal of the wheel's width, if it was the first one of its input.
+    void nameWheel(IssueCode code) {
+        const auto refused = std::ranges::find(m_issues, code, &Issue::code);
+        if (refused != m_issues.end()) {
+            const Part& part = *project().part;
+            const Machine& machine = *project().machine;
+            refused->wheel =
+                WheelNeed{part.length_mm, machine.overrun_entry_mm, machine.overrun_exit_mm};
+            if (part.surface == Surface::internal) {
+                refused->wheel->bore_mm = part.diameter_mm - 2 * part.stock_mm;
+            }
+        }
+    }
+
     void checkZones() {
         const Wheel& wheel = *project().wheel;
         const Machine& machine = *project().machine;
@@ -377,6 +391,7 @@ private:
                 Bounds{.range = {.low = rz1 + rz2, .lowOpen = true},
                        .unit = "mm",
                        .formula = "2·B − o_1 − o_2"});
+            nameWheel(IssueCode::zoneTooShort);
         }
         checkOverrun("/machine/overrun_entry_mm", machine.overrun_entry_mm, EntrySide::headstock);
         checkOverrun("/machine/overrun_exit_mm", machine.overrun_exit_mm, EntrySide::tailstock);
@@ -412,6 +427,7 @@ private:
         if (lengthIsSound && project().wheel->width_mm < part.length_mm) {
             add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel->width_mm),
                 Bounds{{part.length_mm}, "mm", "/part/length_mm"});
+            nameWheel(IssueCode::wheelTooNarrow);
         }
         if (gauge.section && *gauge.section >= project().sections && sound({"/sections"})) {
             add(IssueCode::outOfRange, "/gauge/section", Count{*gauge.section},

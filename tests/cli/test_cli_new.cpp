@@ -124,6 +124,9 @@ private slots:
         addRow("room",
                QStringList{"40h6", "--length", "90", "--stock", "0.15", "--shoulder", "both"},
                QString("--length"), QString("126"));
+        addRow("wheels for the room",
+               QStringList{"40h6", "--length", "90", "--stock", "0.15", "--shoulder", "both"},
+               QString("would do: to traverse 25 mm"), QString("to plunge"));
         addRow("narrow wheel",
                QStringList{"40h6", "--length", "90", "--stock", "0.15", "--operation", "plunge"},
                QString("--operation traverse, or --wheel: 63 mm does not cover "),

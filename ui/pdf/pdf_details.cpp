@@ -15,6 +15,8 @@
 #include <qpdf/QPDFTokenizer.hh>
 #include <qpdf/QPDFWriter.hh>
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -46,6 +48,13 @@ private:
 };
 
 } // namespace
+
+PdfAttachment projectAttachment(const QString& name, const QByteArray& text) {
+    const QString ending = QStringLiteral(".sparkout");
+    const QString base = name.isEmpty() ? QStringLiteral("project") : name;
+    return {base.endsWith(ending) ? base : base + ending, text,
+            QCoreApplication::translate("Pages", "Inputs of this document")};
+}
 
 void putAttachment(QPDF& document, const PdfAttachment& attachment) {
     auto stream = QPDFEFStreamObjectHelper::createEFStream(document, attachment.data.toStdString());

@@ -24,6 +24,9 @@ struct PdfAttachment {
     QString description; ///< shown by readers beside the name
 };
 
+/// The text of a project as a file of its name; without a name as project.sparkout.
+[[nodiscard]] PdfAttachment projectAttachment(const QString& name, const QByteArray& text);
+
 /// Throws the exceptions of libqpdf.
 void putAttachment(QPDF& document, const PdfAttachment& attachment);
 

@@ -7,7 +7,6 @@
 #include "ui/kit/keyboard.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/pdf/pdf_details.h"
 #include "ui/plot/painted_layer.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/svg_device.h"
@@ -206,7 +205,7 @@ QImage rendered(const Recording& recording, int scale) {
     return image;
 }
 
-QByteArray pdf(const Recording& recording) {
+QByteArray pdf(const Recording& recording, const std::optional<PdfAttachment>& project) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly)) {
@@ -228,7 +227,8 @@ QByteArray pdf(const Recording& recording) {
                        recording.language,
                        documentDay(),
                        {},
-                       recording.structure};
+                       recording.structure,
+                       project};
     constexpr double pointsPerInch = 72;
     details.structure.placeBoxes(pointsPerInch / recording.dotsPerInch, {});
     return drawn ? withDetails(bytes, details) : QByteArray();
@@ -262,7 +262,9 @@ PictureWork svgWork(const PlotPicture& picture) {
 }
 
 PictureWork pdfWork(const PlotPicture& picture) {
-    return [recording = record(picture, true)] { return pdf(recording); };
+    return [recording = record(picture, true), project = picture.project] {
+        return pdf(recording, project);
+    };
 }
 
 namespace {
@@ -345,8 +347,12 @@ void PlotTools::connectActions() {
     }
     connect(svg, &QAction::triggered, this,
             [this] { savePicture(QStringLiteral("svg"), tr("SVG drawings (*.svg)"), svgWork); });
-    connect(pdf, &QAction::triggered, this,
-            [this] { savePicture(QStringLiteral("pdf"), tr("PDF documents (*.pdf)"), pdfWork); });
+    connect(pdf, &QAction::triggered, this, [this] {
+        savePicture(QStringLiteral("pdf"), tr("PDF documents (*.pdf)"), [this](PlotPicture drawn) {
+            drawn.project = m_project ? m_project() : std::nullopt;
+            return pdfWork(drawn);
+        });
+    });
     connect(xlsx, &QAction::triggered, this, [this] { saveData(TableFormat::xlsx); });
     connect(csvRussian, &QAction::triggered, this, [this] { saveData(TableFormat::csvRussian); });
     connect(csvEnglish, &QAction::triggered, this, [this] { saveData(TableFormat::csvEnglish); });

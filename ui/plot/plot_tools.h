@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/dialogs/table_file.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/plot/legend.h"
 #include "ui/plot/plot_navigation.h"
 #include "ui/tables/csv_table.h"
@@ -14,6 +15,8 @@
 #include <QStringList>
 
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QCustomPlot;
@@ -26,8 +29,9 @@ namespace sparkout {
 
 struct PlotPicture {
     QCustomPlot* plot = nullptr;
-    QStringList heading;  ///< the first line is the title
-    LegendEntries legend; ///< without hidden entries
+    QStringList heading;                       ///< the first line is the title
+    LegendEntries legend;                      ///< without hidden entries
+    std::optional<PdfAttachment> project = {}; ///< attached to a PDF
 };
 
 inline constexpr int largestPictureScale = 4;
@@ -68,6 +72,10 @@ public:
     PlotTools(QCustomPlot& plot, PlotSubject subject);
 
     void setSettings(Settings* settings) { m_settings = settings; } ///< for the last used folder
+    /// The project that a PDF drawing carries; none by default, or if the source gives none.
+    void setProject(std::function<std::optional<PdfAttachment>()> source) {
+        m_project = std::move(source);
+    }
     void setEnabled(bool enabled); ///< false: there is nothing to export
     void retranslate();
     void addTool(QAction* action); ///< adds an action to the context menu
@@ -111,6 +119,7 @@ private:
     QCustomPlot& m_plot;
     PlotSubject m_subject;
     PlotNavigation m_navigation;
+    std::function<std::optional<PdfAttachment>()> m_project;
     Settings* m_settings = nullptr;
     QMenu* m_export = nullptr;
     QMenu* m_png = nullptr;

@@ -51,6 +51,13 @@ LoadedProject loadProject(const QString& path, const std::stop_token& stop) {
     return parseProject(std::get<std::string>(read), stop);
 }
 
+QByteArray inputsText(Setup setup) {
+    for (GroundSurface& surface : setup.surfaces) {
+        surface.project.runs = {};
+    }
+    return QByteArray::fromStdString(writeSetup(setup));
+}
+
 std::optional<std::string> projectText(const Setup& setup) {
     std::string text = writeSetup(setup);
     const ReadSetup back = readSetup(text);

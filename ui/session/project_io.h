@@ -50,6 +50,9 @@ using MakeContent = std::function<std::optional<std::string>()>;
 [[nodiscard]] SavedContent saveContent(const MakeContent& make, const QString& path,
                                        const WriteOptions& options = {});
 
+/// Returns the text of a set-up without kept runs, which are not inputs of a document.
+[[nodiscard]] QByteArray inputsText(Setup setup);
+
 /// Returns the text of a set-up, read back and compared; empty if it differs or is refused.
 [[nodiscard]] std::optional<std::string> projectText(const Setup& setup);
 

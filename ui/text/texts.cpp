@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/texts.h"
 
-#include "core/catalogue/shipped_catalogue.h"
 #include "core/printable.h"
 #include "core/project/member.h"
 #include "core/project/project.h"
@@ -19,70 +18,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <set>
-#include <variant>
 
 namespace sparkout {
 
 namespace {
-
-struct WheelWidths {
-    Q_DECLARE_TR_FUNCTIONS(WheelWidths)
-};
-
-std::set<double> shippedWidths() {
-    std::set<double> widths;
-    for (const WheelEntry& entry : shippedEntries<WheelEntry>()) {
-        widths.insert(entry.value.width_mm);
-    }
-    return widths;
-}
-
-QString listed(std::vector<double> widths) {
-    constexpr std::size_t most = 3;
-    QStringList texts;
-    widths.resize(std::min(widths.size(), most));
-    for (const double width : widths) {
-        texts << QLocale().toString(width);
-    }
-    return texts.join(QStringLiteral(", "));
-}
-
-/// Widths of wheels of the shipped catalogue for a ground length that can be neither plunged nor
-/// traversed with the given wheel, after a refusal of length or width; empty for other issues. To
-/// traverse a length L a wheel B with overruns of B/3 needs 4/3·B < L, a plunge B ≥ L.
-QString fittingWheels(const Issue& issue) {
-    const bool isTraverse = issue.code == IssueCode::zoneTooShort;
-    if (!isTraverse && issue.code != IssueCode::wheelTooNarrow) {
-        return {};
-    }
-    const auto* const amount = std::get_if<Amount>(&issue.value);
-    const auto* const bounds = std::get_if<Bounds>(&issue.limit);
-    if (!amount || !bounds) {
-        return {};
-    }
-    const double length_mm = isTraverse ? amount->number : bounds->range.low;
-    constexpr double zonesPerWidth = 4.0 / 3; // both reversal zones, with overruns of a third
-    std::vector<double> narrower, covering;
-    for (const double width : shippedWidths()) {
-        if (zonesPerWidth * width < length_mm) {
-            narrower.insert(narrower.begin(), width); // the widest first
-        } else if (width >= length_mm) {
-            covering.push_back(width);
-        }
-    }
-    QStringList texts;
-    if (!narrower.empty()) {
-        texts << WheelWidths::tr("to traverse %1 mm (overruns of a third)", "widths of wheels")
-                     .arg(listed(narrower));
-    }
-    if (!covering.empty()) {
-        texts << WheelWidths::tr("to plunge %1 mm", "widths of wheels").arg(listed(covering));
-    }
-    return texts.isEmpty() ? WheelWidths::tr("no wheel of the catalogue would do")
-                           : WheelWidths::tr("of the catalogue's wheels would do: %1")
-                                 .arg(texts.join(QStringLiteral("; ")));
-}
 
 QString translated(const char* context, const char* text) {
     return *text ? QCoreApplication::translate(context, text) : QString();
@@ -238,11 +177,9 @@ QString rangeBrief(const Range& range, const char* unit) {
 
 QString issueText(const Issue& issue) {
     const ShownScale scale = ShownScale::of(issue);
-    QString text = fileIssueText({issue.code, issue.severity, issue.path, scale.shown(issue.value),
-                                  scale.shown(issue.limit)});
-    if (const QString wheels = fittingWheels(issue); !wheels.isEmpty()) {
-        text += QStringLiteral(" (%1)").arg(wheels);
-    }
+    const QString text =
+        fileIssueText({issue.code, issue.severity, issue.path, scale.shown(issue.value),
+                       scale.shown(issue.limit), issue.wheel});
     return scale.factor == 1
                ? text
                : QCoreApplication::translate("Issue", "%1 (stock on diameter)").arg(text);

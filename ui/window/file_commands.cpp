@@ -214,10 +214,10 @@ void FileCommands::openAttached(const QString& path) {
                                 static_cast<qsizetype>(limits::fileBytes));
     }
     if (!attached) {
-        showFailure(
-            m_window, tr("The file was not opened"),
-            tr("%1 contains no project. Only cards and passports written by Sparkout contain one.")
-                .arg(printableText(QFileInfo(path).fileName())));
+        showFailure(m_window, tr("The file was not opened"),
+                    tr("%1 contains no project. Cards, passports, hand-outs and drawings written "
+                       "by Sparkout contain one.")
+                        .arg(printableText(QFileInfo(path).fileName())));
         return;
     }
     LoadedProject loaded =

@@ -18,11 +18,14 @@
 #include "ui/packs/pack_commands.h"
 #include "ui/part/part_strip.h"
 #include "ui/part/part_window.h"
+#include "ui/pdf/pdf_details.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/report/card/logo.h"
 #include "ui/session/background.h"
 #include "ui/session/cycle_judge.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/part_runs.h"
+#include "ui/session/project_io.h"
 #include "ui/step/step_sheet.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
@@ -69,6 +72,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -127,6 +131,15 @@ MainWindow::~MainWindow() {
     delete m_playback; // it uses the cursor, too
 }
 
+/// None in a laboratory work: its project would give away what a step hides.
+std::optional<PdfAttachment> MainWindow::attachedProject() const {
+    if (m_lesson->run().isRunning()) {
+        return std::nullopt;
+    }
+    return projectAttachment(QFileInfo(m_document.filePath()).fileName(),
+                             inputsText(m_document.setup()));
+}
+
 void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
@@ -169,6 +182,9 @@ void MainWindow::buildViews() {
                                       layers, m_batch, sweep, optimise, m_compare, m_measured}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
+        for (PlotTools* tools : view->findChildren<PlotTools*>()) {
+            tools->setProject([this] { return attachedProject(); });
+        }
     }
     auto* middle = new QWidget(this);
     m_lessonWiring = new LessonWiring(middle, this); // before the layout

@@ -12,6 +12,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -48,6 +49,7 @@ class VerdictPanel;
 class View;
 class ViewTabs;
 class WindowLayout;
+struct PdfAttachment;
 struct ShownMoment;
 
 /// The workbench: inputs, views, verdict and messages around one document.
@@ -86,6 +88,7 @@ protected:
 
 private:
     void buildViews();
+    [[nodiscard]] std::optional<PdfAttachment> attachedProject() const;
     void showPlayback();
     void putGauge(double position_mm); ///< position from the headstock end of the ground length
     void connectOverview();

@@ -163,6 +163,18 @@ private slots:
         QVERIFY(std::holds_alternative<std::vector<double>>(project.machine->compliance_mm_per_n));
     }
 
+    void everyMachineHasItsAccuracyAndItsSpeeds() {
+        for (const MachineEntry& entry : shipped<MachineEntry>()) {
+            const Machine& machine = entry.value;
+            QVERIFY2(machine.geometric_runout_um > 0 && machine.gauge_repeatability_um
+                         && machine.gauge_drift_um_h && machine.limits.wheel_speed_m_s
+                         && machine.limits.work_speed_rpm,
+                     entry.name.c_str());
+            QVERIFY2(*machine.limits.wheel_speed_m_s >= machine.wheel_speed_m_s,
+                     entry.name.c_str());
+        }
+    }
+
     void ownEntryTakesThePlaceOfTheShippedOne() {
         MaterialEntry mine = entryOf<MaterialEntry>(fixtures::plunge(), "45");
         MaterialEntry other = mine;

@@ -105,6 +105,62 @@ private slots:
         QCOMPARE(written, expected);
     }
 
+    /// Lengths from B to 2·B − o_1 − o_2 with B = 50 mm; wheels of bores for bores alone.
+    void aRefusedWidthNamesTheWheelsThatWouldDo_data() {
+        addColumns<QByteArray, QString, QString>("text", "traverse", "plunge");
+        const auto row = [](const char* name, const char* sampleName, const Changes& changes,
+                            const char* traverse, const char* plunge) {
+            addRow(name, QByteArray::fromStdString(changed(sampleName, changes).dump()),
+                   QString(traverse), QString(plunge));
+        };
+        const char* file = "smallest-traverse"; // overruns of 12 mm
+        const char* length = "/part/length_mm";
+        row("50 mm", file, {{length, 50}}, "25", "50, 63, 80");
+        row("57 mm", file, {{length, 57}}, "40, 25", "63, 80");
+        row("76 mm", file, {{length, 76}}, "40, 25", "80");
+        row("20 mm", file, {{length, 20}}, "", "25, 40, 50, 63, 80");
+        row("plunge", "smallest-plunge", {{length, 60}}, "40, 25", "63, 80");
+        Changes shoulder{{length, 76}, {"/machine/overrun_exit_mm", 0}};
+        row("beside a shoulder", file, shoulder, "40, 25", "80");
+        shoulder.push_back({"/machine/overrun_entry_mm", 0});
+        row("between shoulders", file, shoulder, "25", "80");
+        shoulder.front().second = 100;
+        row("100 mm between shoulders", file, shoulder, "40, 25", "");
+        const auto bore = [&](double diameter_mm, double wheel_mm) {
+            return Changes{{length, 38},
+                           {"/part/surface", "internal"},
+                           {"/part/diameter_mm", diameter_mm},
+                           {"/wheel/diameter_mm", wheel_mm}};
+        };
+        row("bore", file, bore(60, 40), "25", "40");
+        row("narrow bore", file, bore(30, 20), "25", "");
+        row("too narrow a bore", file, bore(20, 15), "", "");
+    }
+    void aRefusedWidthNamesTheWheelsThatWouldDo() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, traverse);
+        QFETCH(QString, plunge);
+        const Issues issues = readProject(text.toStdString()).issues;
+        const auto found = std::ranges::find_if(
+            issues, [](const Issue& issue) { return issue.wheel.has_value(); });
+        QVERIFY2(found != issues.end(), samples::listed(issues).c_str());
+        QStringList fitting;
+        if (!traverse.isEmpty()) {
+            fitting
+                << QStringLiteral("to traverse %1 mm (overruns of a third at most)").arg(traverse);
+        }
+        if (!plunge.isEmpty()) {
+            fitting << QStringLiteral("to plunge %1 mm").arg(plunge);
+        }
+        const QString expected =
+            fitting.isEmpty() ? QStringLiteral(" (no wheel of the catalogue would do)")
+                              : QStringLiteral(" (widths of the catalogue's wheels that would do: "
+                                               "%1)")
+                                    .arg(fitting.join(QStringLiteral("; ")));
+        const QString sentence = QString::fromStdString(issueSentence(*found));
+        QVERIFY2(sentence.endsWith(expected), qPrintable(sentence));
+    }
+
     void aValueMayHoldThePlacesOfATemplate() {
         const Issue issue{IssueCode::outOfRange, Severity::error, "", Quoted{"{limit}"},
                           Quoted{"{value}"}};
@@ -120,15 +176,19 @@ private:
                (severity == Severity::warning), QString::fromStdString(path));
     }
 
-    /// A row that changes a sample; a null value stands as null.
-    static void row(const char* name, IssueCode code, const std::string& path,
-                    const char* sampleName, const Changes& changes,
-                    Severity severity = Severity::error) {
+    /// A changed sample; a null value stands as null.
+    static json changed(const char* sampleName, const Changes& changes) {
         json file = samples::sample(sampleName);
         for (const auto& [pointer, value] : changes) {
             file[json::json_pointer(pointer)] = value;
         }
-        row(name, code, path, file.dump(), severity);
+        return file;
+    }
+
+    static void row(const char* name, IssueCode code, const std::string& path,
+                    const char* sampleName, const Changes& changes,
+                    Severity severity = Severity::error) {
+        row(name, code, path, changed(sampleName, changes).dump(), severity);
     }
 
     static void fileRows() {

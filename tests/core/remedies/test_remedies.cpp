@@ -498,6 +498,9 @@ Project slowProject() {
     return p;
 }
 
+/// Of random failing projects 50 of 100 were helped when this was written.
+constexpr int leastHelped_percent = 40;
+
 class TestRemedies : public QObject {
     Q_OBJECT
 
@@ -552,10 +555,10 @@ private slots:
         std::printf("REMEDIES of %d projects %d are helped by single settings, %d with starting "
                     "cycles and pairs, shown for %d and %d\n",
                     count, bySingle, helped, started, paired);
-        std::printf("REMEDIES of %d projects %d are helped; opposed %d, several %d, unmended %d, "
-                    "%d of these with a second, idle %d, warned %d, another stock fails %d\n",
-                    count, helped, opposed, several, unmended, closest, idle, warned, stocks);
-        QVERIFY(helped > count / 6 && opposed > 0 && several > 0);
+        qInfo("REMEDIES of %d projects %d are helped; opposed %d, several %d, unmended %d, "
+              "%d of these with a second, idle %d, warned %d, another stock fails %d",
+              count, helped, opposed, several, unmended, closest, idle, warned, stocks);
+        QVERIFY(helped >= count * leastHelped_percent / 100 && opposed > 0 && several > 0);
         QVERIFY(helped > bySingle && started > 0);
         QVERIFY(count < 200 || std::count(kinds.begin(), kinds.begin() + 11, 0) <= 1);
     }
@@ -564,7 +567,7 @@ private slots:
     void noRemedyFailsForTheStocksOfAPhaseNorMorePartsThanPromised() {
         constexpr int stocks = 200, parts = 500,
                       seed = 7'654'321; // other parts than it was tried on
-        const int count = samples::sized(60, 20, 60);
+        const int count = samples::sized(60, 20, 200);
         int helped = 0, remedies = 0, batches = 0, bad = 0, most = 0;
         const std::vector<Project> projects = samples::failingProjects(count);
         for (int i = 0; i < count; ++i) {
@@ -591,7 +594,7 @@ private slots:
         qInfo("remedies for %d of %d failing projects, %d of them with a batch: %d, of which none "
               "fails for one of %d stocks; %d parts are bad, of one remedy at most %d of %d",
               helped, count, batches, remedies, stocks, bad, most, parts);
-        QVERIFY(helped > count / 6);
+        QVERIFY(helped >= count * leastHelped_percent / 100);
     }
 
     void aCycleThatFailsForItsBatchAloneIsMended() {

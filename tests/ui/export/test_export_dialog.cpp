@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog of an export: what it says, how it is stopped, what it leaves behind.
+#include "core/format/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -9,7 +10,9 @@
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/saved_file.h"
 #include "ui/dialogs/watched_work.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/plot/plot_tools.h"
+#include "ui/session/project_io.h"
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/window/dialogs/export_dialog.h"
 #include "ui/window/view_tabs.h"
@@ -19,6 +22,7 @@
 #include <QDeadlineTimer>
 #include <QDesktopServices>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QFileInfo>
 #include <QFrame>
 #include <QThread>
@@ -166,6 +170,23 @@ private slots:
             QVERIFY2(language == u"en" || said.startsWith(QStringLiteral("Сохранено")),
                      qPrintable(said));
         }
+    }
+
+    void aDrawingCarriesItsProject() {
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
+        const QString path = m_folder.filePath(QStringLiteral("drawing.pdf"));
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        bench.window->findChild<FeedsView*>()->tools()->pdf->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto attached = attachmentOf(file.readAll(), QStringLiteral(".sparkout"), 10'000'000);
+        QVERIFY(attached.has_value());
+        const LoadedProject carried = parseProject(attached->data.toStdString());
+        QVERIFY(carried.setup.has_value());
+        Project expected = bench.window->document().project();
+        expected.runs = {};
+        QVERIFY(sameProject(carried.setup->surfaces.front().project, expected));
     }
 
     void anExportThatIsGivenUpConfirmsNothing() {

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Two ranks of inputs: the usual ones are seen, of the others those that say something here.
+#include "core/lesson/lesson.h"
+#include "core/project/iso286.h"
 #include "core/project/material.h"
 #include "core/project/measured.h"
 #include "core/project/member.h"
 #include "core/project/wheel.h"
+#include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
+#include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/forms/form_row.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/document.h"
@@ -18,7 +23,11 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <memory>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace sparkout::test_input_rank {
 
@@ -57,16 +66,33 @@ struct Bench {
     std::unique_ptr<InputsPanel> panel;
 };
 
+/// A bore 60H7 of a length, as a new project is begun.
+Project startingBore(double length_mm) {
+    StartingDrawing drawing = *drawingOf(*parseSizeDesignation("60H7"));
+    drawing.length_mm = length_mm;
+    drawing.stock_mm = 0.15;
+    Issues issues;
+    return drawnProject(drawing, *startingEntries({}, drawing, issues)).start->project;
+}
+
 class TestInputRank : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Also a bore, and a new project that is not touched.
     void aUsualSurfaceShowsAtMostFortyFields() {
+        std::vector<std::pair<std::string, Project>> projects{
+            {"new plunge", undrawnProject(Operation::plunge)},
+            {"new traverse", undrawnProject(Operation::traverse)},
+            {"short bore", startingBore(30)},
+            {"long bore", startingBore(70)}};
         for (const char* name : {"plunge-shaft-two-stage", "shaft-30h6-factory"}) {
-            Bench bench(samples::projectIn(
-                (std::string("resources/examples/") + name + ".sparkout").c_str()));
+            projects.emplace_back(name, exampleProject(name));
+        }
+        for (const auto& [name, project] : projects) {
+            Bench bench(project);
             const auto shown = bench.shown({"/part/", "/wheel/", "/machine/"});
-            qInfo("%s: %zu fields of part, wheel and machine", name, shown.size());
+            qInfo("%s: %zu fields of part, wheel and machine", name.c_str(), shown.size());
             for (const std::string& path : shown) {
                 qDebug("%s", path.c_str());
             }
@@ -84,6 +110,22 @@ private slots:
         QVERIFY(bench.shows(path));
         bench.document.undo();
         QVERIFY(!bench.shows(path));
+    }
+
+    void aLessonShowsWhatItSets() {
+        Bench bench(newProject(Operation::plunge));
+        const char* const path = "/wheel/grain_tip_angle_deg";
+        QVERIFY(!bench.shows(path));
+        LessonStep step;
+        step.inputs = {{path, Access::free}};
+        bench.panel->setAccess(std::make_shared<const FormAccess>(step, false));
+        QVERIFY(bench.shows(path));
+        bench.panel->setAccess(std::make_shared<const FormAccess>());
+        QVERIFY(!bench.shows(path));
+        Project project = bench.document.project(); // what the lesson's project sets stays in sight
+        project.wheel->grain_tip_angle_deg += 5;
+        bench.document.startUntitled(project);
+        QVERIFY(bench.shows(path));
     }
 
     void aCalibratedInputShows() {

@@ -14,8 +14,12 @@
 #include "ui/kit/font_size.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/plot/chart_plot.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/plot/view_plot.h"
 #include "ui/views/batch/batch_view.h"
+#include "ui/views/feeds/feeds_view.h"
 
 #include <QDir>
 #include <QMenu>
@@ -26,6 +30,8 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QTextBrowser>
+
+#include <algorithm>
 
 namespace test_lesson_mode {
 
@@ -302,6 +308,38 @@ private slots:
         student.show(1);
         QVERIFY(QTest::qWaitFor(run, 30'000));
         QVERIFY(tellsIndices() && everyText().contains(QStringLiteral("Ppk")));
+    }
+
+    /// Whatever view was in front: without measured parts theirs is empty.
+    void aLessonOpensOnAViewWithContent() {
+        Seat student;
+        QVERIFY(student.window.showView(QStringLiteral("measured")));
+        student.begin();
+        student.show(0);
+        QVERIFY(!student.desk().isCovered());
+        const View* front = student.window.viewTabs().currentView();
+        QVERIFY(front->isVisible() && front->objectName() != u"measured");
+        const auto plots = front->findChildren<ViewPlot*>();
+        QVERIFY2(std::ranges::any_of(plots, [](const ViewPlot* plot) { return plot->isVisible(); }),
+                 qPrintable(front->objectName()));
+    }
+
+    /// It would give away what a step hides.
+    void aDrawingDoesNotCarryTheProject() {
+        Seat student;
+        student.begin();
+        student.show(0);
+        QVERIFY(student.window.showView(QStringLiteral("feeds")));
+        student.settle();
+        const QString path = student.folder.filePath(QStringLiteral("drawing.pdf"));
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        student.window.findChild<FeedsView*>()->tools()->pdf->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("%PDF-"));
+        QVERIFY(!attachmentOf(bytes, QStringLiteral(".sparkout"), 10'000'000));
     }
 
     void everyViewCanBeHiddenByItsName() {

@@ -8,13 +8,16 @@
 #include "core/identification/hold_out.h"
 #include "core/project/leaves.h"
 #include "core/project/member.h"
+#include "core/setup/setup_file.h"
 #include "core/study/batch_edits.h"
 #include "core/study/whole_batch.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "tests/ui/support/traced_project.h"
 #include "ui/measured/measured_text.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/report/documents/cycle_card.h"
+#include "ui/session/project_io.h"
 #include "ui/text/dressing_text.h"
 #include "ui/text/field_text.h"
 #include "ui/text/judgement_text.h"
@@ -206,6 +209,12 @@ private slots:
             QVERIFY(text.contains(QStringLiteral("2 (bearing seat)")));
             QCOMPARE(text.contains(QStringLiteral("part.sparkout\" --surface 2 -o")),
                      kind == report::Kind::passport);
+            const auto attached =
+                attachmentOf(bytesOf(made, Format::pdf), QStringLiteral(".sparkout"), 1'000'000);
+            QVERIFY(attached.has_value());
+            QCOMPARE(attached->name, QStringLiteral("part.sparkout"));
+            const LoadedProject part = parseProject(attached->data.toStdString());
+            QVERIFY(part.setup && sameSetup(*part.setup, setup)); // all of the part
         }
         setup.surfaces[0].name = "2"; // the number is a name: the surface's own has to do
         report::nameSurface(subject, setup, 1);

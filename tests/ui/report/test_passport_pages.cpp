@@ -7,6 +7,7 @@
 #include "tests/tries.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/report_kinds.h"
+#include "ui/views/batch/batch_text.h"
 
 #include <QRegularExpression>
 
@@ -39,6 +40,24 @@ private slots:
         }
         QVERIFY(headings.size() > 10);
         QCOMPARE(entries, headings);
+    }
+
+    void whatTheBatchLeavesOutStandsOnPageOne_data() { addLanguages(); }
+    void whatTheBatchLeavesOutStandsOnPageOne() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Project project = smallBatch();
+        const QString left = BatchText::notCounted(project);
+        QVERIFY(!left.isEmpty());
+        const QString page = textOf(made(project, Format::pdf)).section(u'\f', 0, 0).simplified();
+        QVERIFY2(page.contains(language == u"ru" ? QStringLiteral("Не учтено")
+                                                 : QStringLiteral("Not counted")),
+                 qPrintable(page));
+        static const QRegularExpression between(QStringLiteral("[^\\w-]+"),
+                                                QRegularExpression::UseUnicodePropertiesOption);
+        for (const QString& word : left.split(between, Qt::SkipEmptyParts)) {
+            QVERIFY2(page.contains(word), qPrintable(word));
+        }
     }
 
     void theRussianPassportHasNoEnglishWord_data() {

@@ -8,12 +8,18 @@
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/run_figures.h"
 #include "ui/text/number_text.h"
 
+#include <QPaintDevice>
+#include <QPaintEngine>
+#include <QPainter>
 #include <QRegularExpression>
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace sparkout::test_report_layout {
 
@@ -136,6 +142,88 @@ void checkFigure(const report::Figure& figure, const QString& what) {
     }
 }
 
+/// Keeps the texts and the lines that are drawn.
+class DrawnThings : public QPaintEngine {
+public:
+    DrawnThings() : QPaintEngine(QPaintEngine::AllFeatures) {}
+    using QPaintEngine::drawLines;
+    using QPaintEngine::drawPolygon;
+    bool begin(QPaintDevice*) override { return true; }
+    bool end() override { return true; }
+    void updateState(const QPaintEngineState&) override {}
+    void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
+    void drawPath(const QPainterPath&) override {}
+    void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
+    void drawLines(const QLineF* drawn, int count) override {
+        lines.insert(lines.end(), drawn, drawn + count);
+    }
+    void drawTextItem(const QPointF& at, const QTextItem& item) override {
+        const QFontMetricsF metrics(item.font());
+        texts.emplace_back(item.text(), metrics.tightBoundingRect(item.text()).translated(at));
+    }
+    [[nodiscard]] Type type() const override { return QPaintEngine::User; }
+
+    std::vector<QLineF> lines;
+    std::vector<std::pair<QString, QRectF>> texts;
+};
+
+class DrawnPaper : public QPaintDevice {
+public:
+    explicit DrawnPaper(const QSizeF& size) : m_size(size.toSize()) {}
+    [[nodiscard]] QPaintEngine* paintEngine() const override { return &things; }
+
+    mutable DrawnThings things;
+
+protected:
+    [[nodiscard]] int metric(PaintDeviceMetric metric) const override {
+        switch (metric) {
+        case PdmWidth: return m_size.width();
+        case PdmHeight: return m_size.height();
+        case PdmDpiX:
+        case PdmDpiY:
+        case PdmPhysicalDpiX:
+        case PdmPhysicalDpiY: return 96;
+        default: return QPaintDevice::metric(metric);
+        }
+    }
+
+private:
+    QSize m_size;
+};
+
+bool meets(const QLineF& line, const QRectF& box) {
+    if (box.contains(line.p1()) || box.contains(line.p2())) {
+        return true;
+    }
+    const QLineF sides[] = {{box.topLeft(), box.topRight()},
+                            {box.bottomLeft(), box.bottomRight()},
+                            {box.topLeft(), box.bottomLeft()},
+                            {box.topRight(), box.bottomRight()}};
+    return std::ranges::any_of(sides, [&line](const QLineF& side) {
+        return line.intersects(side, nullptr) == QLineF::BoundedIntersection;
+    });
+}
+
+/// No text stands on another one, out of the figure or on a line.
+void checkTexts(const report::Figure& figure) {
+    DrawnPaper paper(figure.size);
+    QPainter painter(&paper);
+    figure.paint(painter);
+    painter.end();
+    const auto& texts = paper.things.texts;
+    QVERIFY(texts.size() > 2 && paper.things.lines.size() > 4);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const auto& [text, box] = texts[i];
+        QVERIFY2(QRectF(QPointF(), figure.size).contains(box), qPrintable(text));
+        for (std::size_t j = 0; j < i; ++j) {
+            QVERIFY2(!box.intersects(texts[j].second), qPrintable(text + u'|' + texts[j].first));
+        }
+        for (const QLineF& line : paper.things.lines) {
+            QVERIFY2(!meets(line, box), qPrintable(text));
+        }
+    }
+}
+
 class TestReportLayout : public QObject {
     Q_OBJECT
 
@@ -192,6 +280,23 @@ private slots:
             }
         }
     }
+    void theSketchOfThePartIsLegible_data() { addLanguages(); }
+    void theSketchOfThePartIsLegible() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        std::vector<OutcomePtr> outcomes{fixtures::run(fixtures::plungeProject(60))};
+        for (const QString& path : ExamplesDialog::paths()) {
+            outcomes.push_back(handout_bench::exampleOutcome(path));
+        }
+        for (const OutcomePtr& outcome : outcomes) {
+            checkTexts(report::partSketch(outcome));
+            if (QTest::currentTestFailed()) {
+                qWarning("%s", outcome->result.project.title.c_str());
+                return;
+            }
+        }
+    }
+
     void aSizeIsWrittenAsOnADrawing_data() {
         addColumns<QString, double, double, QString>("name", "upper", "lower", "russian");
         QTest::newRow("its own field") << "Вал 30h6" << 0.0 << -16.0 << "⌀30h6(−0,016)";

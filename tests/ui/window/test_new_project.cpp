@@ -30,6 +30,8 @@
 #include <QAction>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QTableView>
 
 #include <map>
 
@@ -125,6 +127,29 @@ private slots:
         QTRY_VERIFY(bench.window->outcome()->ran());
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         QTRY_VERIFY(bench.window->findChild<FeedsView*>()->findChild<FeedsPlot*>()->isVisible());
+    }
+
+    void noTimeOfTheProjectBeforeIsLeft() {
+        OpenBench bench(QStringLiteral("en"), examplePath("setups/spindle"));
+        bench.window->inputs().showCycle();
+        const auto hasTimes = [&bench] {
+            const auto* model = bench.window->inputs()
+                                    .findChild<QTableView*>(QStringLiteral("/cycle/stages"))
+                                    ->model();
+            QString times;
+            for (int row = 0; row < model->rowCount(); ++row) {
+                times += model->index(row, model->columnCount() - 1).data().toString();
+            }
+            return times.contains(QRegularExpression(QStringLiteral("[0-9]")));
+        };
+        const auto* strip = bench.window->findChild<QWidget*>(QStringLiteral("partStrip"));
+        QTRY_VERIFY(hasTimes());
+        QVERIFY(strip->isVisible());
+        bench.action("newPlunge")->trigger();
+        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        bench.rest();
+        QVERIFY(!hasTimes());
+        QVERIFY(!strip->isVisible());
     }
 
     void everyViewLeadsToWhatIsMissing() {

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -73,6 +74,31 @@ class TestPicture : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The command that a passport prints to be computed again, of a surface of several.
+    void thePrintedCommandRuns() {
+        const QTemporaryDir folder;
+        QVERIFY(QFile::copy(
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout"),
+            folder.filePath(QStringLiteral("spindle.sparkout"))));
+        const QString page = folder.filePath(QStringLiteral("passport.html"));
+        const Run first =
+            sparkout({"--report", "passport", folder.filePath(QStringLiteral("spindle.sparkout")),
+                      "--surface", "2", "-o", page});
+        QVERIFY2(QFile::exists(page), qPrintable(first.said));
+        const QString html = QString::fromUtf8(bytesOf(page))
+                                 .replace(QStringLiteral("&quot;"), QStringLiteral("\""));
+        static const QRegularExpression printed(
+            QStringLiteral("sparkout (--report passport [^<]*-o passport\\.pdf)"));
+        const QString command = printed.match(html).captured(1);
+        QVERIFY2(command.contains(QStringLiteral("--surface 2 ")), qPrintable(command));
+        QProcess process;
+        process.setWorkingDirectory(folder.path());
+        process.start(QStringLiteral(SPARKOUT_PROGRAM), QProcess::splitCommand(command));
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), first.status);
+        QVERIFY(bytesOf(folder.filePath(QStringLiteral("passport.pdf"))).startsWith("%PDF-"));
+    }
+
     /// Neither the hashes of a process nor the second of writing is in a file.
     void equalInputsGiveEqualBytes() {
         using Made = std::pair<const char*, const char*>; // what, and the ending of its file

@@ -6,6 +6,7 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
+#include "ui/dynamic_programming/state_grid_plot.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -17,6 +18,7 @@
 #include "ui/views/optimise/found_table.h"
 #include "ui/window/view_tabs.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QListView>
 #include <QPainter>
@@ -82,6 +84,41 @@ int checkedNames(const QCustomPlot& plot) {
         }
     }
     return names;
+}
+
+/// The names of both axes lie within the plot, across and upright.
+void checkAxisNames(const QCustomPlot& plot) {
+    for (const QCPAxisRect* rect : plot.axisRects()) {
+        QVERIFY(plot.rect().contains(rect->outerRect()));
+        for (const QCPAxis::AxisType type : {QCPAxis::atBottom, QCPAxis::atLeft}) {
+            const bool isAcross = type == QCPAxis::atBottom;
+            const int middle = isAcross ? rect->center().x() : rect->center().y();
+            const int all = isAcross ? plot.width() : plot.height();
+            const int room = 2 * std::min(middle, all - middle);
+            const QCPAxis* axis = rect->axis(type);
+            QVERIFY(!axis->label().isEmpty());
+            for (const QString& line : axis->label().split(u'\n')) {
+                const int wide = QFontMetrics(axis->labelFont()).horizontalAdvance(line);
+                QVERIFY2(wide <= room,
+                         qPrintable(QStringLiteral("%1: %2 of %3").arg(line).arg(wide).arg(room)));
+            }
+        }
+    }
+}
+
+/// A project of the operation with a small coordinate grid.
+Project gridProject(bool travels) {
+    Project project = exampleProject(travels ? "shaft-30h6-factory" : "plunge-shaft-two-stage");
+    project.optimisation = Optimisation{};
+    project.optimisation->stages = {1, 2};
+    if (travels) {
+        project.optimisation->radial_feed_mm = SteppedLevels{0.002, 0.010, 0.002};
+        project.optimisation->axial_feed_mm_min = SteppedLevels{1000, 2000, 1000};
+    } else {
+        project.optimisation->stock_step_mm = 0.01;
+        project.optimisation->radial_feed_mm_min = std::vector<double>{0.2, 0.3, 0.5, 0.8, 1.2};
+    }
+    return project;
 }
 
 /// Each entry is read in full, and meets none before it.
@@ -267,6 +304,52 @@ private slots:
         }
         QVERIFY(captions > 20);
         QVERIFY2(names >= 8, qPrintable(QString::number(names)));
+    }
+
+    void theLegendOfConstraintsTakesTwoLines_data() {
+        addColumns<QString, QString>("language", "name");
+        for (const char* language : {"en", "ru"}) {
+            for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage"}) {
+                QTest::addRow("%s %s", language, name)
+                    << QString::fromLatin1(language) << QString::fromLatin1(name);
+            }
+        }
+    }
+    void theLegendOfConstraintsTakesTwoLines() {
+        QFETCH(QString, language);
+        QFETCH(QString, name);
+        OpenBench bench(language, examplePath(qPrintable(name)));
+        QVERIFY(bench.window->showView(QStringLiteral("constraints")));
+        bench.rest();
+        QCOMPARE(bench.window->size(), QSize(1366, 768));
+        const auto* legend =
+            bench.window->findChild<LegendStrip*>(QStringLiteral("constraintsLegend"));
+        const int lines = legend->height() / (legend->fontMetrics().height() + 2);
+        QVERIFY2(lines > 0 && lines <= 2,
+                 qPrintable(QStringLiteral("%1 in %2").arg(lines).arg(legend->width())));
+        checkEntries(*legend);
+    }
+
+    void theAxesOfTheStateGridAreWhole_data() {
+        addColumns<QString, bool>("language", "travels");
+        QTest::newRow("en traverse") << QStringLiteral("en") << true;
+        QTest::newRow("ru traverse") << QStringLiteral("ru") << true;
+        QTest::newRow("ru plunge") << QStringLiteral("ru") << false;
+    }
+    void theAxesOfTheStateGridAreWhole() {
+        QFETCH(QString, language);
+        QFETCH(bool, travels);
+        Bench bench(language);
+        bench.window->document().startUntitled(gridProject(travels));
+        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
+        auto* content = bench.window->findChild<QComboBox*>(QStringLiteral("optimiseContent"));
+        content->setFocus();
+        QTest::keyClick(content, Qt::Key_End); // the coordinate grid is the last page
+        const auto* plot = bench.window->findChild<StateGridPlot*>();
+        QTRY_VERIFY_WITH_TIMEOUT(plot->isVisible() && plot->outcome(), 60'000);
+        bench.rest();
+        QCOMPARE(bench.window->size(), QSize(1366, 768));
+        checkAxisNames(*plot);
     }
 
     /// In the window's usual size the answer is read in full and so are the cycles found, in a

@@ -198,6 +198,21 @@ private slots:
         QVERIFY(desk.strip().height() <= 52);
     }
 
+    void anElidedTabKeepsItsNameInItsToolTip() {
+        Setup setup = steppedShaft();
+        const QString name =
+            QStringLiteral("journal of the front bearing beside the thread of the nut");
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            setup.surfaces[i].name = name.toStdString() + ' ' + std::to_string(i);
+        }
+        Desk desk(setup);
+        for (int tab = 0; tab < desk.tabs().count(); ++tab) {
+            QVERIFY(desk.tabs().tabText(tab).endsWith(u'…'));
+            QVERIFY2(desk.tabs().tabToolTip(tab).contains(name + u' ' + QString::number(tab)),
+                     qPrintable(desk.tabs().tabToolTip(tab)));
+        }
+    }
+
     void mouseAndKeysChooseASurface() {
         Desk desk;
         desk.clickSurface(2);

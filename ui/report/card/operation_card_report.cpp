@@ -5,12 +5,12 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
-#include "core/setup/setup_file.h"
 #include "ui/report/card/logo.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/format/report.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/operation_setup.h"
+#include "ui/session/project_io.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/number_text.h"
 
@@ -235,12 +235,9 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
 namespace {
 
 /// A report with all surfaces as its inputs.
-Report begun(const QString& title, Setup setup, const QString& file, const QDate& date) {
+Report begun(const QString& title, const Setup& setup, const QString& file, const QDate& date) {
     Report report = begunReport(title, setup.surfaces.front().project, file, date);
-    for (GroundSurface& surface : setup.surfaces) {
-        surface.project.runs = {};
-    }
-    report.inputs = QByteArray::fromStdString(writeSetup(setup));
+    report.inputs = inputsText(setup);
     return report;
 }
 

@@ -9,6 +9,7 @@
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/passport.h"
 #include "ui/session/kept_texts.h"
+#include "ui/session/project_io.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
@@ -42,6 +43,14 @@ Report withCompany(Report report, const Company& company) {
     return report;
 }
 
+/// The report of one surface with the set-up as its inputs.
+Report withInputs(Report report, const Subject& subject) {
+    if (!subject.inputs.isEmpty()) {
+        report.inputs = subject.inputs;
+    }
+    return report;
+}
+
 /// Puts the surface first in the head of a report and in the line at the top of pages.
 Report withSurface(Report report, const Subject& subject) {
     const auto head = std::ranges::find_if(
@@ -63,19 +72,21 @@ Company companyOf(const Subject& subject) {
 }
 
 Report makeCard(const Subject& subject) {
-    return withCompany(withSurface(CycleCard::write(subject.outcome, subject.file, subject.date,
-                                                    subject.batch, subject.predicting),
-                                   subject),
+    Report card = CycleCard::write(subject.outcome, subject.file, subject.date, subject.batch,
+                                   subject.predicting);
+    return withCompany(withSurface(withInputs(std::move(card), subject), subject),
                        companyOf(subject));
 }
 
 Report makePassport(const Subject& subject) {
-    return withCompany(withSurface(passport(subject), subject), companyOf(subject));
+    return withCompany(withSurface(withInputs(passport(subject), subject), subject),
+                       companyOf(subject));
 }
 
 Report makeHandout(const Subject& subject) {
-    return courseHandout(subject.outcome, subject.file, subject.date, subject.handout,
-                         subject.breathe);
+    return withInputs(courseHandout(subject.outcome, subject.file, subject.date, subject.handout,
+                                    subject.breathe),
+                      subject);
 }
 
 Report makeOperationCard(const Subject& subject) {
@@ -124,6 +135,7 @@ QString menuText(Kind kind) {
 }
 
 void nameSurface(Subject& subject, const Setup& setup, std::size_t surface) {
+    subject.inputs = inputsText(setup);
     if (setup.surfaces.size() < 2) {
         return;
     }

@@ -10,6 +10,8 @@
 #include "ui/session/company.h"
 #include "ui/session/studies.h"
 
+#include <QByteArray>
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,6 +47,7 @@ struct Subject {
     QString surface;
     /// That surface as the value of --surface.
     QString surfaceOption;
+    QByteArray inputs; ///< text of the set-up; empty: the inputs are those of the outcome
     QDate date;
     std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
     DressingSubjectPtr dressing;           ///< of the set-up, if the kind uses a batch; may be null
@@ -68,7 +71,7 @@ struct KindRow {
 [[nodiscard]] std::optional<Kind> kindOf(const QString& key);
 [[nodiscard]] QString menuText(Kind kind); ///< text with its mnemonic
 
-/// Names the reported surface of a set-up with several.
+/// Names the reported surface of a set-up with several, all of which become the inputs.
 void nameSurface(Subject& subject, const Setup& setup, std::size_t surface);
 
 /// An outcome as a set-up with one surface.

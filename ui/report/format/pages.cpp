@@ -260,21 +260,6 @@ bool printPages(const Pages& pages, QPrinter& printer) {
     return paintRange(pages, printer, first, last);
 }
 
-namespace {
-
-/// The project, from which the paper can be opened again.
-std::optional<PdfAttachment> attachmentOf(const Report& report) {
-    const QString ending = QStringLiteral(".sparkout");
-    if (report.inputs.isEmpty()) {
-        return std::nullopt;
-    }
-    const QString base = report.file.isEmpty() ? QStringLiteral("project") : report.file;
-    return PdfAttachment{base.endsWith(ending) ? base : base + ending, report.inputs,
-                         QCoreApplication::translate("Pages", "Inputs of this document")};
-}
-
-} // namespace
-
 QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -287,9 +272,10 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
                        report.program,
                        report.language,
                        report.date,
-                       {},
-                       {},
-                       attachmentOf(report)};
+                       {}};
+    if (!report.inputs.isEmpty()) { // from which the paper can be opened again
+        details.attachment = projectAttachment(report.file, report.inputs);
+    }
     bool painted = false;
     {
         QPdfWriter writer(&buffer);

@@ -347,8 +347,8 @@ void Drawing::drawStretches() {
         const double from = x(m_from_mm + all[i].from_mm);
         const double to = x(m_from_mm + all[i].to_mm);
         m_painter.setPen(QPen(faint, 0.8, Qt::DashLine));
-        for (const double at : {from, to}) {
-            m_painter.drawLine(QPointF(at, zoneLine + 4), QPointF(at, axis + mostHalf));
+        for (const double at : {from, to}) { // below the names, which may be wider than a section
+            m_painter.drawLine(QPointF(at, zoneLine + 18), QPointF(at, axis + mostHalf));
         }
         const double middle = (from + to) / 2;
         if (middle - widthOf(all[i].name) / 2 > nameEnd + betweenNames / 2) {

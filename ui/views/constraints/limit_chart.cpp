@@ -267,7 +267,7 @@ LineChart LimitChart::chart(bool isLogarithmic) const {
 
 void LimitChart::addCuts(LineChart& chart) const {
     ChartSeries actual{.key = actualKey,
-                       .name = tr("actual feed"),
+                       .name = tr("actual feed", "legend"),
                        .kind = ChartSeries::Kind::path,
                        .colour = Drawn::actualFeed,
                        .pen = style::line(Drawn::actualFeed, {}),
