@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_batch.h"
 
-#include "app/io/cli_report.h"
+#include "app/cli_report.h"
 #include "core/batch/batch_outputs.h"
-#include "core/batch/batch_state_reader.h"
-#include "core/batch/part_table.h"
+#include "core/batch/batch_state.h"
+#include "core/batch/batch_statistics.h"
 #include "core/digits.h"
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/batch/batch_state.h"
-#include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 

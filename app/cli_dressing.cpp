@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
-#include "app/io/batch_watch.h"
-#include "app/io/cli_io.h"
-#include "app/io/cli_report.h"
-#include "app/io/stop_signals.h"
-#include "core/dressing/dressing_interval.h"
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "app/stop_signals.h"
 #include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/quality/result_names.h"
+#include "core/setup/dressing_interval.h"
 
 #include <cstdint>
 #include <optional>

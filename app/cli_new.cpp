@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
-#include "app/io/cli_io.h"
-#include "app/io/cli_report.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
 #include "core/digits.h"
-#include "core/files/file_system.h"
-#include "core/format/project_file.h"
+#include "core/file/file_system.h"
+#include "core/file/project_file.h"
 #include "core/phases/phase_decision.h"
 #include "core/printable.h"
 #include "core/project/cycle.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
-#include "app/io/batch_watch.h"
-#include "app/io/cli_io.h"
-#include "app/io/cli_report.h"
-#include "app/io/cli_surfaces.h"
-#include "app/io/stop_signals.h"
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "app/stop_signals.h"
 #include "core/digits.h"
 #include "core/phases/phase_decision.h"
 #include "core/printable.h"

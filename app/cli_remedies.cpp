@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
-#include "app/io/batch_watch.h"
-#include "app/io/cli_io.h"
-#include "app/io/cli_surfaces.h"
-#include "app/io/stop_signals.h"
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/stop_signals.h"
 #include "core/quality/light.h"
 #include "core/quality/result_names.h"
-#include "core/remedies/remedies_json.h"
 #include "core/simulation/simulate.h"
+#include "core/study/remedies.h"
 #include "words/remedy_words.h"
 
 #include <cstdint>

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
-#include "app/io/batch_watch.h"
-#include "app/io/cli_io.h"
-#include "app/io/cli_report.h"
-#include "app/io/cli_surfaces.h"
-#include "app/io/stop_signals.h"
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "app/stop_signals.h"
+#include "core/batch/sweep_run.h"
 #include "core/digits.h"
+#include "core/file/csv_line.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"
-#include "core/sweep/sweep_run.h"
-#include "core/tables/csv_line.h"
 #include "words/issue_words.h"
 
 #include <string>

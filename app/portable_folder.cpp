@@ -2,7 +2,7 @@
 #include "app/portable_folder.h"
 
 #include "app/window_io.h"
-#include "core/files/file_system.h"
+#include "core/file/file_system.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 

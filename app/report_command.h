@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/manual/given.h"
-#include "ui/report/course/course_papers.h"
-#include "ui/report/course/paper_writer.h"
-#include "ui/report/documents/report_kinds.h"
-#include "ui/session/company.h"
+#include "ui/report/course_papers.h"
+#include "ui/report/paper_writer.h"
+#include "ui/report/report_kinds.h"
+#include "ui/session/settings.h"
 
 #include <QString>
 #include <QStringList>
@@ -13,6 +13,21 @@
 #include <optional>
 
 namespace sparkout {
+
+/// An export requested on the command line.
+struct ExportRequest {
+    QString part; ///< "all", a part of the result, "batch", "sweep" or "search"
+    QString file;
+    QString surface; ///< name or number of a surface; empty: the only one
+    QString output;
+};
+
+/// Whether the part can be exported to a file with this extension.
+[[nodiscard]] bool canExport(const ExportRequest& request);
+
+/// `sparkout --export PART -o OUT FILE`: writes results of a project as tables and returns the exit
+/// status.
+[[nodiscard]] int writeExport(const ExportRequest& request);
 
 /// A report requested on the command line.
 struct ReportRequest {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/search_watch.h"
 
-#include "app/io/console.h"
-#include "app/io/stop_signals.h"
+#include "app/console.h"
+#include "app/stop_signals.h"
 #include "words/search_words.h"
 
 #include <utility>

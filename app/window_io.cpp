@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_io.h"
 
-#include "app/io/console.h"
-#include "core/files/safe_file.h"
-#include "core/format/project_file.h"
+#include "app/console.h"
+#include "core/file/project_file.h"
+#include "core/file/safe_file.h"
 #include "core/printable.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
-#include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"

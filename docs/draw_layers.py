@@ -11,7 +11,7 @@ BEGIN, END = "<!-- written by docs/draw_layers.py -->", "<!-- end of what it wri
 
 
 def boxes():
-    """Title: {folder: (what it holds, folders it includes)}. The views are one folder."""
+    """Title: {folder: (what it holds, folders it includes)}."""
     found, holds, folder = {}, "", ""
     for line in (HERE / "layers.txt").read_text(encoding="utf-8").splitlines():
         if line.startswith("## "):
@@ -24,7 +24,6 @@ def boxes():
         else:
             if not line.startswith(" "):
                 folder, _, line = line.partition(":")
-                folder = "ui/views/…" if folder.startswith("ui/views/") else folder
                 if not holds and folder not in found[title]:
                     sys.exit(f"docs/layers.txt does not say what {folder} holds")
                 found[title].setdefault(folder, (holds, set()))
@@ -36,8 +35,6 @@ def boxes():
 def arrows(found):
     """From each box to those it includes, but to none that another arrow leads to."""
     box_of = {folder: title for title, folders in found.items() for folder in folders}
-    box_of |= {other: box_of["ui/views/…"] for folders in found.values()
-               for _, others in folders.values() for other in others if other.startswith("ui/views/")}
     reached = {}
     for title, folders in found.items():  # a row names only rows above it
         others = {box_of[other] for _, row in folders.values() for other in row} - {title}

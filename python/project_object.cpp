@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/project_object.h"
 
-#include "core/files/safe_file.h"
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
+#include "core/file/safe_file.h"
 #include "core/project/validate.h"
 #include "python/output_attributes.h"
 #include "words/issue_words.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/safe_file.h"
+#include "core/file/safe_file.h"
 #include "core/issue.h"
 #include "core/project/project.h"
 

@@ -70,7 +70,7 @@ def main():
         # Texts reach the terminal by printText() alone, which takes out what steers it.
         "files of the programs that print past the console": [
             f for f in knowing(files, prints) if f.startswith("app/")
-            and not f.startswith(("app/io/console", "app/reference/"))],
+            and not f.startswith(("app/console", "app/write_"))],
         "helpers of a test that it does not call": list(idle_helpers(
             name for name in tracked("tests") if pathlib.PurePath(name).match("test_*.cpp"))),
         "files that know a kind of operation": knowing(files, KIND),

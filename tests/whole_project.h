@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/project/batch.h"
-#include "core/project/card_entries.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"

@@ -13871,7 +13871,7 @@ parts, ≤ %</source>
         </message>
         <message>
             <source>every stock and corner</source>
-            <translation>все сочетания</translation>
+            <translation>все припуски и сочетания</translation>
         </message>
         <message>
             <source>every stock</source>
@@ -18700,7 +18700,7 @@ good</source>
         </message>
     </context>
     <context>
-        <name>PartTable</name>
+        <name>SurfaceTable</name>
         <message>
             <source>not set up</source>
             <translation>не задано</translation>

@@ -3,12 +3,21 @@
 
 #include "core/issue.h"
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// Issues as texts. The English ones are defined here, marked for translation: the command line and
 /// the Python module print them, the window translates them.
+
 namespace sparkout {
+
+/// Placeholder names of a sentence, and their values.
+using TextPlaces = std::initializer_list<std::pair<const char*, std::string>>;
+
+/// A sentence with its placeholders filled, "{change}: {cost}"; a placeholder may occur twice.
+[[nodiscard]] std::string placedText(const std::string& sentence, TextPlaces places);
 
 struct IssueWords {
     const char* key;      ///< name of the code for other programs

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/grading.h"
-#include "core/course/group_list.h"
-#include "core/course/make_variants.h"
 #include "core/lesson/goal_check.h"
-#include "core/study/recalled_run.h"
+#include "core/lesson/grading.h"
+#include "core/lesson/make_variants.h"
+#include "core/lesson/work.h"
+#include "core/study/run_comparison.h"
 
 #include <string>
 
 /// Texts about lessons, variants and marks, in English: for the command line, and translated in the
 /// window.
+
 namespace sparkout {
+
+/// The objects of `course check --json`.
+[[nodiscard]] std::string lessonCheckJson(const CheckedSteps& checked);
+[[nodiscard]] std::string workCheckJson(const Work& work, const CheckedSteps& checked);
 
 /// A finding by its name in JSON.
 [[nodiscard]] const char* findingKey(Finding finding);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/remedies/remedies.h"
-#include "words/placed_text.h"
+#include "core/study/remedies.h"
+#include "words/issue_words.h"
 
 #include <string>
 

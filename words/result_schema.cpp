@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/result_schema.h"
 
-#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_outputs.h"
-#include "core/dressing/dressing_interval.h"
-#include "core/format/strict_json.h"
+#include "core/batch/sweep_run.h"
+#include "core/file/strict_json.h"
+#include "core/measured/adequacy.h"
 #include "core/phases/phase_decision.h"
 #include "core/quality/constraints.h"
-#include "core/quality/form_outputs.h"
+#include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
-#include "core/remedies/remedies_json.h"
+#include "core/setup/dressing_interval.h"
 #include "core/setup/setup_run.h"
+#include "core/study/remedies.h"
 #include "core/study/search_outputs.h"
-#include "core/sweep/sweep_run.h"
-#include "words/judgement_json.h"
-#include "words/measured_json.h"
+#include "words/json_schema.h"
+#include "words/judgement_words.h"
+#include "words/measured_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -42,11 +43,6 @@ ordered_json objectOf(ordered_json properties) {
     return {{"type", "object"},
             {"properties", std::move(properties)},
             {"required", std::move(required)}};
-}
-
-ordered_json orNull(ordered_json schema) {
-    schema["type"] = {schema["type"], "null"};
-    return schema;
 }
 
 ordered_json typeOf(OutputKind kind) {

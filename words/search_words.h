@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/resume/search_state.h"
+#include "core/search/search_state.h"
 #include "core/study/search.h"
 
 #include <cstdint>

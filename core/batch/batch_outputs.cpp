@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_outputs.h"
 
+#include "core/batch/batch_statistics.h"
 #include "core/batch/characteristics.h"
-#include "core/batch/part_table.h"
-#include "core/format/output_json.h"
-#include "core/format/project_file.h"
-#include "core/tables/csv_line.h"
+#include "core/file/csv_line.h"
+#include "core/file/output_json.h"
+#include "core/file/project_file.h"
 #include "core/text.h"
 
 #include <array>

@@ -8,11 +8,36 @@
 #include "core/project/project.h"
 
 #include <atomic>
+#include <condition_variable>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 
 namespace sparkout {
+
+/// Restores the order of parts that several threads run, for a sink. It holds few of them: a thread
+/// far ahead of the slowest part waits.
+class PartQueue {
+public:
+    /// `first` is the place of the first part.
+    PartQueue(const PartSink& sink, std::int64_t first, std::stop_token stop)
+        : m_sink(sink), m_next(first), m_stop(std::move(stop)) {}
+
+    /// False if the sink wants no more, or a stop was requested.
+    bool put(std::int64_t place, PartRecord record);
+
+private:
+    const PartSink& m_sink;
+    std::mutex m_mutex;
+    std::condition_variable_any m_moved;
+    std::map<std::int64_t, PartRecord> m_waiting; ///< waiting parts by place
+    std::int64_t m_next;
+    std::stop_token m_stop;
+    bool m_over = false;
+};
 
 /// Faults of a project with a batch: its own, the batch's, and those of the extreme parts, each of
 /// which must be a valid project. Empty: the batch can be run.

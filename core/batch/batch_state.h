@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
+#include "core/issue.h"
 
 #include <optional>
 #include <string>
@@ -9,7 +10,28 @@
 #include <vector>
 
 /// A batch, or a shard of one, as text, so that separately computed shards can be joined.
+
 namespace sparkout {
+
+/// Why a text is not a state of a batch.
+enum class StateFault {
+    none,
+    otherFormat,  ///< not a batch state
+    tooDeep,      ///< nested deeper than limits::depth
+    otherVersion, ///< a version that this program does not read
+    changed,      ///< the checksum does not match the contents
+    impossible    ///< contents no batch writes
+};
+
+/// Reads a state; without a result if no batch writes such a text.
+struct ReadBatchState {
+    StateFault fault = StateFault::none;
+    std::optional<BatchResult> result;
+    std::optional<Issue> issue; ///< the impossible value, at its JSON pointer
+
+    explicit operator bool() const { return result.has_value(); }
+};
+[[nodiscard]] ReadBatchState readBatchState(std::string_view text);
 
 inline constexpr const char* batchStateFormat = "sparkout-batch";
 inline constexpr int batchStateVersion = 3;

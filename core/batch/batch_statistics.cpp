@@ -1,14 +1,158 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_statistics.h"
 
+#include "core/file/csv_line.h"
 #include "core/quality/constraints.h"
+#include "core/quality/result_names.h"
+#include "core/simulation/simulate.h"
 #include "core/units.h"
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace sparkout {
+
+PartColumns PartColumns::of(const ScenarioSource& source, const std::stop_token& stop) {
+    PartColumns columns{source.factors(), characteristicsOf(source.nominal()), {}};
+    std::array<bool, constraintKinds> asked{};
+    for (const ConstraintResult& constraint :
+         evaluateConstraints(simulateUnchecked(source.nominal(), nullptr, stop))) {
+        asked[static_cast<std::size_t>(constraint.kind)] = true;
+    }
+    for (const Requirement& row : requirementRows) {
+        if (asked[static_cast<std::size_t>(row.kind)]
+            || std::ranges::find(columns.characteristics, &row, &Characteristic::requirement)
+                   != columns.characteristics.end()) {
+            columns.requirements.push_back(row.kind);
+        }
+    }
+    return columns;
+}
+
+std::string placeKey(const Characteristic& characteristic) {
+    return sectionOrPart(characteristic.zone, characteristic.section);
+}
+
+std::vector<std::string> PartTable::keys(const PartColumns& columns) {
+    std::vector<std::string> keys{"part", "status", "good", "least_relative_margin"};
+    for (const GivenFactor& factor : columns.factors) {
+        keys.emplace_back(factorKey(factor));
+    }
+    for (const Characteristic& of : columns.characteristics) {
+        keys.push_back(std::string(of.name) + ' ' + placeKey(of) + " [" + of.unit + ']');
+    }
+    for (const ConstraintKind kind : columns.requirements) {
+        keys.push_back(std::string(requirementOf(kind).key) + " holds");
+    }
+    return keys;
+}
+
+std::string PartTable::head(const std::vector<std::string>& names) const {
+    CsvLine line(m_dialect.table);
+    for (const std::string& name : names) {
+        line.text(name);
+    }
+    return m_dialect.begin + line.end(m_dialect.lineEnd);
+}
+
+std::string PartTable::line(const PartRecord& record) const {
+    const PartOutcome& outcome = record.outcome;
+    const bool done = outcome.completed;
+    const bool whole = done && !outcome.fails[static_cast<std::size_t>(ConstraintKind::overlap)];
+    const auto word = [this](bool yes) { return yes ? m_dialect.yes : m_dialect.no; };
+    CsvLine line(m_dialect.table);
+    line.whole(record.part + m_dialect.firstPart)
+        .text(m_dialect.states[!done   ? 1
+                               : whole ? 0
+                                       : 2])
+        .text(word(outcome.good));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    line.number(whole ? outcome.margin : none);
+    for (const double value : record.factors) {
+        line.number(value);
+    }
+    for (std::size_t i = 0; i < m_columns.characteristics.size(); ++i) {
+        line.number(done ? outcome.values[i] : none);
+    }
+    for (const ConstraintKind kind : m_columns.requirements) {
+        const auto at = static_cast<std::size_t>(kind);
+        const bool known = whole || !requirementOf(kind).isOfSurface(); // otherwise: not met
+        line.text(done && outcome.asked[at] ? word(known && !outcome.fails[at]) : std::string());
+    }
+    return line.end(m_dialect.lineEnd);
+}
+
+namespace {
+
+constexpr int limbBits = 32;
+constexpr int lowestBit = -224;
+constexpr std::uint64_t limbMask = 0xFFFFFFFF;
+
+} // namespace
+
+// |term| = m·2^e with m < 2⁵³, laid over up to three limbs.
+void ExactSum::add(double term) {
+    assert(std::isfinite(term) && std::abs(term) < 0x1p190);
+    int e = 0;
+    auto m = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(term), &e), 53));
+    int shift = e - 53 - lowestBit;
+    if (shift < 0) {
+        m = shift <= -53 ? 0 : m >> -shift;
+        shift = 0;
+    }
+    const std::int64_t sign = term < 0 ? -1 : 1;
+    const auto at = static_cast<std::size_t>(shift / limbBits);
+    const std::uint64_t low = (m & limbMask) << (shift % limbBits);
+    const std::uint64_t high = (m >> limbBits) << (shift % limbBits);
+    m_limbs[at] += sign * static_cast<std::int64_t>(low & limbMask);
+    m_limbs[at + 1] += sign * static_cast<std::int64_t>((low >> limbBits) + (high & limbMask));
+    m_limbs[at + 2] += sign * static_cast<std::int64_t>(high >> limbBits);
+}
+
+void ExactSum::add(const ExactSum& other) {
+    for (std::size_t i = 0; i < m_limbs.size(); ++i) {
+        m_limbs[i] += other.m_limbs[i];
+    }
+}
+
+ExactSum::Limbs ExactSum::digits() const {
+    Limbs digits = m_limbs;
+    for (std::size_t i = 0; i + 1 < digits.size(); ++i) {
+        const std::int64_t carry = digits[i] >> limbBits; // rounds down, also below zero
+        digits[i] &= static_cast<std::int64_t>(limbMask);
+        digits[i + 1] += carry;
+    }
+    return digits;
+}
+
+ExactSum ExactSum::ofDigits(const Limbs& digits) {
+    ExactSum sum;
+    sum.m_limbs = digits;
+    return sum;
+}
+
+// The digits of a negative sum are those of its complement, so its opposite is evaluated.
+double ExactSum::value() const {
+    Limbs digits = this->digits();
+    const bool negative = digits.back() < 0;
+    if (negative) {
+        ExactSum opposite;
+        for (std::size_t i = 0; i < digits.size(); ++i) {
+            opposite.m_limbs[i] = -digits[i];
+        }
+        digits = opposite.digits();
+    }
+    double sum = 0;
+    for (std::size_t i = digits.size(); i-- > 0;) {
+        sum +=
+            std::ldexp(static_cast<double>(digits[i]), lowestBit + limbBits * static_cast<int>(i));
+    }
+    return negative ? -sum : sum;
+}
 
 namespace {
 

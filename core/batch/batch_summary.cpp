@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_summary.h"
 
-#include "core/batch/capability.h"
-
 #include "core/project/batch.h"
 
 #include <algorithm>

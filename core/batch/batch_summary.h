@@ -4,7 +4,6 @@
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_statistics.h"
 #include "core/statistics/intervals.h"
-#include "core/statistics/normality.h"
 
 #include <cstddef>
 #include <limits>
@@ -112,5 +111,9 @@ struct BatchVerdict {
 /// share outside exceeds that limit, or if a lower 95 % bound of P_pk is below `least_ppk`. A
 /// characteristic with negligible scatter has no P_pk and needs none.
 [[nodiscard]] BatchVerdict weigh(const BatchSummary& summary, const BatchResult& result);
+
+/// Adds P_p, P_pk and the expected share outside to a summary, from its mean, deviation and count.
+/// Nothing is added where the characteristic has no capability or negligible scatter.
+void addCapability(CharacteristicSummary& summary);
 
 } // namespace sparkout

@@ -3,7 +3,7 @@
 
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
-#include "core/quality/finished_surface.h"
+#include "core/quality/ranges.h"
 #include "core/quality/roughness.h"
 #include "core/units.h"
 

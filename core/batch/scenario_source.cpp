@@ -2,21 +2,225 @@
 #include "core/batch/scenario_source.h"
 
 #include "core/cholesky.h"
+#include "core/process/compliance.h"
+#include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/roughness.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
-#include "core/statistics/sobol_sequence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
+
+namespace {
+
+FactorEnds truncation(const GivenFactor& factor) {
+    FactorEnds ends{factor.allowed.low, factor.allowed.high};
+    if (factor.law.within) {
+        ends.low = std::max(ends.low, (*factor.law.within)[0]);
+        ends.high = std::min(ends.high, (*factor.law.within)[1]);
+    }
+    return ends;
+}
+
+double triangularQuantile(const std::vector<double>& corners, double share) {
+    const double a = corners[0], c = corners[1], b = corners[2];
+    return share * (b - a) < c - a ? a + std::sqrt(share * (b - a) * (c - a))
+                                   : b - std::sqrt((1 - share) * (b - a) * (b - c));
+}
+
+/// The share of a triangular law below a value: the inverse of its quantile.
+double triangularShare(const std::vector<double>& corners, double value) {
+    const double a = corners[0], c = corners[1], b = corners[2];
+    if (b == a) {
+        return 0.5;
+    }
+    const double share = value < c ? (value - a) * (value - a) / ((b - a) * (c - a))
+                         : b == c  ? 1
+                                   : 1 - (b - value) * (b - value) / ((b - a) * (b - c));
+    return std::clamp(share, 0.0, 1.0);
+}
+
+} // namespace
+
+double factorQuantile(const GivenFactor& factor, double share) {
+    if (factor.law.uniform) {
+        const auto& ends = *factor.law.uniform;
+        return ends[0] + share * (ends[1] - ends[0]);
+    }
+    if (factor.law.triangular) {
+        return triangularQuantile(*factor.law.triangular, share);
+    }
+    if (const auto& values = factor.law.measured) {
+        const auto rank = static_cast<std::size_t>(share * static_cast<double>(values->size()));
+        return (*values)[std::min(rank, values->size() - 1)];
+    }
+    const double m = (*factor.law.normal)[0], s = (*factor.law.normal)[1];
+    const FactorEnds ends = truncation(factor);
+    if (s == 0) {
+        return std::clamp(m, ends.low, ends.high);
+    }
+    const double below = normalShare((ends.low - m) / s), upTo = normalShare((ends.high - m) / s);
+    const double p = std::clamp(below + share * (upTo - below), 0x1p-60, 1 - 0x1p-53);
+    return std::clamp(m + s * normalQuantile(p), ends.low, ends.high);
+}
+
+double factorRank(const GivenFactor& factor, double value) {
+    const auto between = [value](double low, double high) {
+        return high == low ? 0.5 : std::clamp((value - low) / (high - low), 0.0, 1.0);
+    };
+    const Factor& law = factor.law;
+    if (law.grows) {
+        return between(std::min((*law.grows)[0], (*law.grows)[1]),
+                       std::max((*law.grows)[0], (*law.grows)[1]));
+    }
+    if (law.uniform) {
+        return between((*law.uniform)[0], (*law.uniform)[1]);
+    }
+    if (law.triangular) {
+        return triangularShare(*law.triangular, value);
+    }
+    if (law.measured) {
+        const auto [first, end] =
+            std::equal_range(law.measured->begin(), law.measured->end(), value);
+        return static_cast<double>((first - law.measured->begin()) + (end - law.measured->begin()))
+               / (2 * static_cast<double>(law.measured->size()));
+    }
+    const double m = (*law.normal)[0], s = (*law.normal)[1];
+    const FactorEnds ends = truncation(factor);
+    if (s == 0) {
+        return 0.5;
+    }
+    const double below = normalShare((ends.low - m) / s), upTo = normalShare((ends.high - m) / s);
+    return upTo > below
+               ? std::clamp((normalShare((value - m) / s) - below) / (upTo - below), 0.0, 1.0)
+               : 0.5;
+}
+
+double lawValue(const GivenFactor& factor, std::int64_t part, std::int64_t parts) {
+    const std::int64_t between = factor.law.parts_between_dressings.value_or(
+        static_cast<int>(std::min<std::int64_t>(parts, std::numeric_limits<int>::max())));
+    std::int64_t at = part % between, last = between - 1;
+    if (factor.kind == FactorKind::wheelDiameter && factor.law.parts_between_dressings) {
+        at = part / between;
+        last = (parts - 1) / between;
+    }
+    const auto& ends = *factor.law.grows;
+    const double share = last > 0 ? static_cast<double>(at) / static_cast<double>(last) : 0;
+    return ends[0] + share * (ends[1] - ends[0]);
+}
+
+double factorMiddle(const GivenFactor& factor) {
+    return factor.isLaw() ? (factor.law.grows->front() + factor.law.grows->back()) / 2
+                          : factorQuantile(factor, 0.5);
+}
+
+FactorEnds cornerEnds(const GivenFactor& factor) {
+    if (!factor.law.normal) {
+        const Factor& law = factor.law;
+        const auto& ends = law.uniform      ? *law.uniform
+                           : law.triangular ? *law.triangular
+                           : law.measured   ? *law.measured
+                                            : *law.grows;
+        return {ends.front(), ends.back()};
+    }
+    const double m = (*factor.law.normal)[0], s = (*factor.law.normal)[1];
+    const FactorEnds ends = truncation(factor);
+    return factor.law.within
+               ? ends
+               : FactorEnds{std::max(m - 3 * s, ends.low), std::min(m + 3 * s, ends.high)};
+}
+
+std::optional<double> replacedValue(FactorKind kind, const Project& project) {
+    const Part& part = *project.part;
+    switch (kind) {
+    case FactorKind::stock: return part.stock_mm;
+    case FactorKind::runout:
+        return part.profile == ProfileForm::measured ? std::nullopt
+                                                     : std::optional(part.initial_runout_mm);
+    case FactorKind::dullness: return dullnessOf(*project.wheel);
+    case FactorKind::wheelDiameter: return project.wheel->diameter_mm;
+    case FactorKind::flowStress: return project.material->flow_stress_mpa;
+    case FactorKind::contactWidth:
+        return project.operation->travels ? project.wheel->width_mm : part.length_mm;
+    case FactorKind::partWarmer: return project.gauge->part_warmer_k;
+    case FactorKind::compliance:
+    case FactorKind::machineForm:
+    case FactorKind::runoutAt:
+    case FactorKind::gaugeError:
+    case FactorKind::gaugeAge: break;
+    }
+    return std::nullopt;
+}
+
+void putFactor(const GivenFactor& factor, double value, Project& project) {
+    if (factor.place < 0) {
+        putFactor(factor.kind, value, project);
+        return;
+    }
+    auto& own = factor.kind == FactorKind::stock    ? project.part->zone_stock_mm
+                : factor.kind == FactorKind::runout ? project.part->zone_runout_mm
+                                                    : project.machine->zone_compliance;
+    if (!own) {
+        const double same = factor.kind == FactorKind::compliance ? 1 : 0;
+        own.emplace(static_cast<std::size_t>(placeCount(project)), same);
+    }
+    own->at(static_cast<std::size_t>(factor.place)) = value;
+}
+
+void putFactor(FactorKind kind, double value, Project& project) {
+    switch (kind) {
+    case FactorKind::stock: project.part->stock_mm = value; break;
+    case FactorKind::runout:
+        if (project.part->profile == ProfileForm::measured) {
+            const double runout = initialRunout(*project.part);
+            for (double& radius : *project.part->radii_um) {
+                radius *= runout > 0 ? value / runout : 1;
+            }
+        }
+        project.part->initial_runout_mm = value;
+        break;
+    case FactorKind::dullness: setDullness(*project.wheel, value); break;
+    case FactorKind::wheelDiameter: changeWheelDiameter(project, value); break;
+    case FactorKind::flowStress: project.material->flow_stress_mpa = value; break;
+    case FactorKind::compliance: scaleCompliance(project, value); break;
+    case FactorKind::machineForm:
+        if (!project.machine->form) {
+            project.machine->geometric_runout_um *= value;
+            break;
+        }
+        for (auto* const own :
+             {&project.machine->form->roundness_um, &project.machine->form->runout_um}) {
+            for (std::size_t i = 0; *own && i < (*own)->size(); ++i) {
+                (**own)[i] *= value;
+            }
+        }
+        break;
+    case FactorKind::runoutAt: project.machine->form->runout_at_deg = value; break;
+    case FactorKind::gaugeError:
+        project.gauge->error_um += value * project.machine->gauge_repeatability_um.value_or(0);
+        break;
+    case FactorKind::gaugeAge:
+        project.gauge->error_um += value * project.machine->gauge_drift_um_h.value_or(0);
+        break;
+    case FactorKind::partWarmer: project.gauge->part_warmer_k = value; break;
+    case FactorKind::contactWidth:
+        (project.operation->travels ? project.wheel->width_mm : project.part->length_mm) = value;
+        break;
+    }
+}
 
 std::optional<Correlation> Correlation::of(const std::vector<std::vector<double>>& matrix) {
     auto lower = choleskyFactor(matrix);

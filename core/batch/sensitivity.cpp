@@ -5,7 +5,6 @@
 #include "core/project/batch.h"
 #include "core/simulation/simulate.h"
 #include "core/statistics/philox.h"
-#include "core/statistics/sobol_sequence.h"
 
 #include <Eigen/Dense>
 

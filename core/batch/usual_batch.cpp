@@ -3,7 +3,6 @@
 
 #include "core/batch/batch_run.h"
 #include "core/process/force.h"
-#include "core/process/recipe_force.h"
 #include "core/project/gauge.h"
 #include "core/project/iso286.h"
 #include "core/project/machine.h"

@@ -2,20 +2,145 @@
 #include "core/catalogue/catalogue.h"
 
 #include "core/catalogue/catalogue_check.h"
-#include "core/format/project_file.h"
-#include "core/format/strict_json.h"
-#include "core/format/table_reader.h"
-#include "core/format/table_writer.h"
-#include "core/natural_order.h"
+#include "core/file/project_file.h"
+#include "core/file/strict_json.h"
+#include "core/file/table_reader.h"
 #include "core/project/conditions.h"
 #include "core/text.h"
 #include "core/units.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
 #include <cstring>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 namespace sparkout {
+
+namespace {
+
+template <class Entry>
+constexpr const char* catalogueKind() {
+    return std::is_same_v<Entry, MaterialEntry> ? "materials"
+           : std::is_same_v<Entry, WheelEntry>  ? "wheels"
+                                                : "machines";
+}
+
+/// Letters that look alike, and their common form.
+constexpr std::array<std::pair<std::string_view, char>, 24> alikeLetters{
+    {{"А", 'a'}, {"В", 'b'}, {"Е", 'e'}, {"К", 'k'}, {"М", 'm'}, {"Н", 'h'},
+     {"О", 'o'}, {"Р", 'p'}, {"С", 'c'}, {"Т", 't'}, {"Х", 'x'}, {"У", 'y'},
+     {"а", 'a'}, {"в", 'b'}, {"е", 'e'}, {"к", 'k'}, {"м", 'm'}, {"н", 'h'},
+     {"о", 'o'}, {"р", 'p'}, {"с", 'c'}, {"т", 't'}, {"х", 'x'}, {"×", 'x'}}};
+
+/// The form of a name for comparison.
+std::string comparable(std::string_view text) {
+    std::string letters;
+    while (!text.empty()) {
+        const auto* const alike = std::ranges::find_if(
+            alikeLetters, [&](const auto& each) { return text.starts_with(each.first); });
+        if (alike != alikeLetters.end()) {
+            letters += alike->second;
+            text.remove_prefix(alike->first.size());
+            continue;
+        }
+        const char c = text.front();
+        if (c != ' ') {
+            letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        }
+        text.remove_prefix(1);
+    }
+    return letters;
+}
+
+} // namespace
+
+template <class Entry>
+const std::vector<Entry>& shippedEntries() {
+    static const std::vector<Entry> entries = [] {
+        auto read = readCatalogue<Entry>(shippedCatalogueText(catalogueKind<Entry>()));
+        assert(read.entries); // checked by a test
+        return std::move(read.entries).value_or(std::vector<Entry>());
+    }();
+    return entries;
+}
+
+template <class Entry>
+std::vector<const Entry*> entriesMeant(const std::vector<Entry>& entries, std::string_view text) {
+    const std::string wanted = comparable(text);
+    std::vector<const Entry*> parts;
+    for (const Entry& entry : entries) {
+        const std::string name = comparable(entry.name);
+        if (name == wanted) {
+            return {&entry};
+        }
+        if (!wanted.empty() && name.find(wanted) != std::string::npos) {
+            parts.push_back(&entry);
+        }
+    }
+    return parts;
+}
+
+template <class Entry>
+const Entry* entryMeant(const std::vector<Entry>& entries, std::string_view text) {
+    const std::vector<const Entry*> meant = entriesMeant(entries, text);
+    return meant.size() == 1 ? meant.front() : nullptr;
+}
+
+#define SPARKOUT_SHIPPED(Entry)                                                                    \
+    template const std::vector<Entry>& shippedEntries<Entry>();                                    \
+    template std::vector<const Entry*> entriesMeant<Entry>(const std::vector<Entry>&,              \
+                                                           std::string_view);                      \
+    template const Entry* entryMeant<Entry>(const std::vector<Entry>&, std::string_view)
+SPARKOUT_SHIPPED(MaterialEntry);
+SPARKOUT_SHIPPED(WheelEntry);
+SPARKOUT_SHIPPED(MachineEntry);
+#undef SPARKOUT_SHIPPED
+
+namespace {
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+std::size_t digitsFrom(std::string_view text, std::size_t at) {
+    std::size_t end = at;
+    while (end < text.size() && isDigit(text[end]))
+        ++end;
+    return end - at;
+}
+
+int letterAt(std::string_view text, std::size_t at) {
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+}
+
+} // namespace
+
+int naturalOrder(std::string_view a, std::string_view b) {
+    const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    const auto at = static_cast<std::size_t>(differ.first - a.begin());
+    if (at == a.size() && at == b.size())
+        return 0;
+    std::size_t begin = at; // start of the number in which they differ
+    while (begin > 0 && isDigit(a[begin - 1]))
+        --begin;
+    const int byLetter = letterAt(a, at) - letterAt(b, at);
+    const std::size_t longA = digitsFrom(a, at), longB = digitsFrom(b, at);
+    const bool decimals = letterAt(a, begin) == '0' || letterAt(b, begin) == '0';
+    if (!decimals) {
+        // Both are numbers, or become numbers here: the longer one is greater.
+        const bool numbers = digitsFrom(a, begin) > 0 && digitsFrom(b, begin) > 0;
+        return numbers && longA != longB ? (longA > longB ? 1 : -1) : byLetter;
+    }
+    // After zeros only, more digits precede none: 00 < 0.
+    const bool zerosOnly = a.substr(begin, at - begin).find_first_not_of('0') == a.npos;
+    if (begin < at && zerosOnly && (longA > 0) != (longB > 0))
+        return longA > 0 ? -1 : 1;
+    return byLetter;
+}
 
 namespace {
 

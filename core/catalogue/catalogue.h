@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/files/safe_file.h"
+#include "core/file/safe_file.h"
 #include "core/issue.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
@@ -19,7 +19,13 @@
 /// written by the tables of the project. An entry gives some values of a Material, Wheel or
 /// Machine, with a source for every number. The shipped catalogues are in resources/catalogue, the
 /// user's own in files of the same form.
+
 namespace sparkout {
+
+/// Orders names numerically: 50×… before 400×…, unlike the order of characters. A number that
+/// begins with 0 is treated as decimals: "1.05" comes before "1.5". Negative: a comes first; 0:
+/// they are equal. The order is that of strverscmp() in the GNU library.
+[[nodiscard]] int naturalOrder(std::string_view a, std::string_view b);
 
 // An entry of a catalogue: a material, wheel or machine with a source for each of its numbers.
 
@@ -139,5 +145,23 @@ struct ThermalPoint {
     double conductivity_w_mk = 0, diffusivity_mm2_s = 0;
 };
 [[nodiscard]] std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius);
+
+/// The text of a shipped catalogue, compiled in from resources/catalogue: "machines", "wheels" or
+/// "materials"; empty for others.
+[[nodiscard]] std::string_view shippedCatalogueText(std::string_view kind);
+
+/// The shipped entries, in the order of their file. For MaterialEntry, WheelEntry and MachineEntry.
+template <class Entry>
+[[nodiscard]] const std::vector<Entry>& shippedEntries();
+
+/// Finds the entry with this name, or those whose name contains the text. Cyrillic letters that
+/// look like Latin ones, × and x, case and spaces make no difference.
+template <class Entry>
+[[nodiscard]] std::vector<const Entry*> entriesMeant(const std::vector<Entry>& entries,
+                                                     std::string_view text);
+
+/// The only one of these; null if there is none, or several.
+template <class Entry>
+[[nodiscard]] const Entry* entryMeant(const std::vector<Entry>& entries, std::string_view text);
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/catalogue/catalogue_check.h"
 
-#include "core/format/strict_json.h"
+#include "core/file/strict_json.h"
 #include "core/project/range_check.h"
 
 #include <algorithm>

@@ -3,10 +3,6 @@
 
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"
-#include "core/dynamic_programming/state_grid.h"
-#include "core/limits/burn.h"
-#include "core/optimisation/optimise.h"
-#include "core/optimisation/variants.h"
 #include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/project/material.h"
@@ -14,11 +10,15 @@
 #include "core/project/project.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/quality/finished_surface.h"
+#include "core/quality/ranges.h"
 #include "core/quality/roughness.h"
+#include "core/search/optimise.h"
+#include "core/search/state_grid.h"
+#include "core/search/variants.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
+#include "core/surface/burn.h"
 #include "core/units.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/form/accuracy.h"
 #include "core/lesson/figure.h"
 #include "core/quality/constraints.h"
 #include "core/quality/shop_numbers.h"
-#include "core/simulation/trajectory.h"
+#include "core/simulation/result.h"
+#include "core/surface/accuracy.h"
 
 #include <optional>
 #include <stop_token>

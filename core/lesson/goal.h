@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/lesson/bilingual.h"
 #include "core/lesson/figure.h"
 
 #include <optional>
@@ -11,7 +10,22 @@
 
 /// The goals of a lesson's steps. A kind of goal is a struct with its table; a goal contains
 /// exactly one of them.
+
 namespace sparkout {
+
+/// A text in both languages of the program; if only one is given, both are the same.
+struct Bilingual {
+    std::string ru, en;
+
+    [[nodiscard]] bool empty() const { return ru.empty() && en.empty(); }
+    [[nodiscard]] const std::string& in(bool russian) const {
+        return (russian ? ru : en).empty() ? (russian ? en : ru) : (russian ? ru : en);
+    }
+    friend bool operator==(const Bilingual&, const Bilingual&) = default;
+};
+
+template <>
+const StructInfo& tableOf<Bilingual>();
 
 /// The cycle must end by itself and meet every requirement of the drawing and the machine.
 struct RequirementsGoal {

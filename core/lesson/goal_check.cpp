@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/goal_check.h"
 
-#include "core/judgement/judgement.h"
+#include "core/batch/judgement.h"
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"

@@ -2,8 +2,8 @@
 #include "core/lesson/lesson.h"
 
 #include "core/project/conditions.h"
-#include "core/project/leaves.h"
 #include "core/project/measured.h"
+#include "core/project/member.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/lesson/bilingual.h"
 #include "core/lesson/goal.h"
 #include "core/lesson/variant_rules.h"
 #include "core/setup/setup.h"

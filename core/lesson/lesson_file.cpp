@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/lesson_file.h"
 
-#include "core/format/strict_json.h"
-#include "core/format/table_reader.h"
+#include "core/file/strict_json.h"
+#include "core/file/table_reader.h"
 #include "core/lesson/lesson_json.h"
 #include "core/lesson/text_markup.h"
 #include "core/project/cycle.h"
-#include "core/project/leaves.h"
+#include "core/project/member.h"
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
 

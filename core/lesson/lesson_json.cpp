@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/lesson_json.h"
 
-#include "core/format/strict_json.h"
-#include "core/format/table_reader.h"
-#include "core/format/table_writer.h"
+#include "core/file/strict_json.h"
+#include "core/file/table_reader.h"
 #include "core/setup/setup_file.h"
 
 #include <algorithm>

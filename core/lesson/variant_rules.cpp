@@ -6,7 +6,6 @@
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
 #include "core/setup/setup.h"
-#include "core/setup/shared_members.h"
 #include "core/text.h"
 
 #include <array>

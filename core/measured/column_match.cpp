@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/column_match.h"
 
+#include "core/file/cell_reader.h"
 #include "core/project/measured.h"
-#include "core/tables/table_reader.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/file/cell_reader.h"
 #include "core/issue.h"
-#include "core/tables/table_cell.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/phases/failing_stock.h"
 
-#include "core/phases/cycle_trial.h"
+#include "core/phases/sampled_phases.h"
 #include "core/project/part.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/units.h"

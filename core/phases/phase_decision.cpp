@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/phases/phase_decision.h"
 
-#include "core/format/output_json.h"
+#include "core/file/output_json.h"
 #include "core/process/profile.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"

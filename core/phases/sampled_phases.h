@@ -6,13 +6,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 /// Phases of the stock that are sampled, not decided: under position control, or in addition to a
 /// decision.
+
 namespace sparkout {
+
+/// Result of a trial of a project's cycle.
+struct CycleTrial {
+    bool holds = false; ///< it ends by itself and meets every requirement
+    double leastMargin =
+        -std::numeric_limits<double>::infinity(); ///< relative margin; −∞: the cycle does not end
+    double removed_mm3 = 0;                       ///< removed volume, if the cycle ends
+};
+
+/// Tries the cycle of a valid project; returns nullopt after a stop.
+[[nodiscard]] std::optional<CycleTrial> tried(const Project& project, const std::stop_token& stop);
 
 /// Returns the project with stocks distributed evenly over one infeed of each stage around its own
 /// stock, `phases` for each stage, starting at a share `from` of a phase: the size depends on where

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/project.h"
+
+#include <array>
 #include <cstddef>
 #include <stop_token>
 #include <vector>
 
 namespace sparkout {
+
+/// Multiplies every elastic deflection under a given force by the factor: scales a given γ, or
+/// divides the stiffnesses from which γ is computed (machine, shaft, steady rests), and the wheel
+/// contact.
+void scaleCompliance(Project& project, double factor);
 
 enum class Mounting; // core/project/part.h
 
@@ -125,5 +133,15 @@ private:
 /// stiffnesses [N/mm], > 0.
 double quillCompliance(double length_mm, double diameter_mm, double youngsModulus_n_mm2,
                        double wheelHead_n_mm, double headstock_n_mm);
+
+/// The parts of γ(x), from the bottom; the part of the steady rests is subtracted.
+enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
+
+inline constexpr std::array allComplianceParts{CompliancePart::wheelHead, CompliancePart::headstock,
+                                               CompliancePart::tailstock, CompliancePart::bending,
+                                               CompliancePart::rests};
+
+[[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
+[[nodiscard]] double sumOf(const ComplianceParts& parts);                        ///< [mm/N]
 
 } // namespace sparkout

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/force.h"
 
-#include "core/process/recipe_force.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -12,6 +11,31 @@
 #include <numbers>
 
 namespace sparkout {
+
+namespace {
+
+bool hasWearFlats(const Wheel& wheel) {
+    return wheel.force_recipe && wheel.force_recipe->wear_flat_mm;
+}
+
+} // namespace
+
+double dullnessOf(const Wheel& wheel) {
+    return hasWearFlats(wheel) ? recipeShares(wheel, *wheel.force_recipe).dullness : wheel.dullness;
+}
+
+void setDullness(Wheel& wheel, double dullness) {
+    if (!hasWearFlats(wheel)) {
+        wheel.dullness = dullness;
+        return;
+    }
+    const RecipeShares shares = recipeShares(wheel, *wheel.force_recipe);
+    wheel.force_recipe->wear_flat_mm = dullness / (shares.cutWidth_mm * shares.cuttingGrains_mm2);
+}
+
+const char* dullnessPath(const Wheel& wheel) {
+    return hasWearFlats(wheel) ? "/wheel/force_recipe/wear_flat_mm" : "/wheel/dullness";
+}
 
 double equivalentDiameter(double d, double D, Surface surface) {
     return d * D / (surface == Surface::external ? D + d : d - D);

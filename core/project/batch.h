@@ -2,11 +2,17 @@
 #pragma once
 
 #include "core/field.h"
+#include "core/issue.h"
+#include "core/project/project.h"
 
 #include <optional>
 #include <vector>
 
 namespace sparkout {
+
+/// Faults of a batch that can be found without making its parts: forms, bounds and the correlation
+/// matrix. A single cycle does not use them, so validate() only warns about them.
+[[nodiscard]] Issues batchFaults(const Project& project);
 
 enum class Scenarios { corners, latin_hypercube, sobol, random };
 

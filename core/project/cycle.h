@@ -2,12 +2,31 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/project/spark_out.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sparkout {
+
+/// The last stage's spark-out: none, a number of strokes or revolutions, or until size. As an input
+/// it is a CountOrWord.
+struct SparkOut {
+    enum class Mode { none, count, untilSize };
+    Mode mode = Mode::none;
+    int count = 0; ///< double strokes (traverse) or revolutions (plunge), with Mode::count
+    friend bool operator==(const SparkOut&, const SparkOut&) = default;
+
+    [[nodiscard]] static std::span<const Choice> words();
+    [[nodiscard]] static Phrase expected();
+    [[nodiscard]] static SparkOut ofNumber(int number) { return {Mode::count, number}; }
+    [[nodiscard]] static SparkOut ofWord(std::size_t) { return {Mode::untilSize, 0}; }
+    [[nodiscard]] int* number() { return mode == Mode::count ? &count : nullptr; }
+    [[nodiscard]] std::optional<std::size_t> word() const {
+        return mode == Mode::untilSize ? std::optional<std::size_t>(0) : std::nullopt;
+    }
+};
 
 /// One stage of the cycle: its feeds and the radial stock it removes. As in the file, it has
 /// members for the feeds of every kind of operation; OperationTraits::feeds lists those in use.

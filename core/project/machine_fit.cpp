@@ -4,7 +4,6 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
-#include "core/project/wheel_marking.h"
 
 #include <limits>
 #include <optional>

@@ -6,9 +6,23 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Finding a member of a project, or of any struct that has a table, by its JSON pointer.
+
 namespace sparkout {
+
+/// A value of a struct without further rows: its path, its row and the struct that has it as a
+/// member. For a list of structs the number of items is such a value, too.
+struct Leaf {
+    std::string path; ///< "/cycle/stages/0/stock_mm"
+    const Field* field;
+    const void* owner;
+};
+
+/// All values below a struct in the order of its table; for a struct that is not given only its
+/// row.
+[[nodiscard]] std::vector<Leaf> leavesOf(const StructInfo& table, const void* owner);
 
 /// A member: its row and the struct that holds it; both null if not found.
 struct Member {

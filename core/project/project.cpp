@@ -2,7 +2,6 @@
 #include "core/project/project.h"
 
 #include "core/project/batch.h"
-#include "core/project/card_entries.h"
 #include "core/project/conditions.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"

@@ -2,11 +2,17 @@
 #pragma once
 
 #include "core/field.h"
+#include "core/issue.h"
+#include "core/project/project.h"
 
 #include <string>
 #include <vector>
 
 namespace sparkout {
+
+/// The faults that prevent the sweep of a project: inputs that are not its numbers, ranges beyond
+/// what an input allows. Empty without a sweep. A single cycle does not need them.
+[[nodiscard]] Issues sweepFaults(const Project& project);
 
 enum class SweepSpacing { linear, logarithmic };
 

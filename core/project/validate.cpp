@@ -3,7 +3,6 @@
 
 #include "core/digits.h"
 #include "core/project/batch.h"
-#include "core/project/batch_rules.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -13,7 +12,7 @@
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/range_check.h"
-#include "core/project/sweep_rules.h"
+#include "core/project/sweep.h"
 #include "core/project/wheel.h"
 #include "core/units.h"
 

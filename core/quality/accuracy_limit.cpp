@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/accuracy_limit.h"
 
-#include "core/limits/rising_root.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/printed_form.h"
@@ -13,6 +12,7 @@
 #include "core/quality/roughness.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/stage_control.h"
+#include "core/surface/rising_root.h"
 #include "core/units.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "core/process/force.h"
 #include "core/quality/limit_series.h"
 #include "core/simulation/result.h"
-#include "core/simulation/trajectory.h"
 
 #include <functional>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "core/project/machine.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/quality/finished_surface.h"
+#include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/limits/formula.h"
 #include "core/quality/requirement.h"
 #include "core/result.h"
+#include "core/surface/formula.h"
 
 #include <optional>
 #include <span>

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/cycle_constraints.h"
 
-#include "core/limits/burn.h"
 #include "core/process/coupled_sections.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
-#include "core/quality/depth_limits.h"
+#include "core/quality/limit_series.h"
 #include "core/quality/power.h"
 #include "core/quality/ranges.h"
-#include "core/quality/self_sharpening.h"
+#include "core/surface/burn.h"
 #include "core/units.h"
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 
 #include "core/quality/constraints.h"
 
-/// Burn, self-sharpening and power: the limits on the passes of a cycle [MODEL-8].
+/// Requirements on a cycle [MODEL-8]: burn, self-sharpening and power limit its passes, the others
+/// its settings.
 namespace sparkout {
 
 /// The visit nearest to burning, with its numbers [MODEL-8].
@@ -38,7 +39,7 @@ void evaluateWorkPower(ConstraintKind kind, const Judged& of, ConstraintResults&
 [[nodiscard]] std::optional<double> workPowerDepth(const Project& project, double b, double stock);
 [[nodiscard]] std::optional<PassBound> workPowerBound(const Project& project);
 
-// Checks of a cycle's settings: the machine's ranges, the gauge's commands, the overlap and the
+// Checks of the settings: the machine's ranges, the gauge's commands, the overlap and the
 // number of steps of a stage [MODEL-8].
 
 /// Checks the range of this kind.

@@ -5,6 +5,7 @@
 #include "core/simulation/result.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -78,5 +79,30 @@ struct StageSteps {
 /// The first of the stages with the fewest steps, of those that have stock and end by gauge or
 /// position; the number of a counted spark-out is an input. Empty without such a stage.
 [[nodiscard]] std::optional<StageSteps> fewestSteps(const SimulationResult& result);
+
+/// The known values of the surface after a cycle.
+///
+/// Where strips stay uncut, its size (diameters and radii), roundness, runouts, cylindricity,
+/// taper, crown, form and roughness are known for the cut part alone and are not reported. Values
+/// of passes or settings, such as force, power, burn, time and the gauge's reading, are reported.
+class FinishedSurface {
+public:
+    explicit FinishedSurface(const Project& project) : m_whole(!leavesStrips(project)) {}
+
+    /// False: strips stay uncut.
+    [[nodiscard]] bool isWhole() const { return m_whole; }
+    /// Whether the value of a requirement can be stated.
+    [[nodiscard]] bool tells(ConstraintKind kind) const {
+        return m_whole || !requirementOf(kind).isOfSurface();
+    }
+    /// A value of the surface, if it is known.
+    template <class Value>
+    [[nodiscard]] std::optional<Value> stated(Value value) const {
+        return m_whole ? std::optional<Value>(std::move(value)) : std::nullopt;
+    }
+
+private:
+    bool m_whole;
+};
 
 } // namespace sparkout

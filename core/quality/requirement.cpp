@@ -2,7 +2,6 @@
 #include "core/quality/requirement.h"
 
 #include "core/process/force.h"
-#include "core/process/recipe_force.h"
 #include "core/project/member.h"
 #include "core/project/wheel.h"
 #include "core/quality/cycle_constraints.h"

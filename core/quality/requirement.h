@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/form/accuracy.h"
-#include "core/limits/formula.h"
 #include "core/project/project.h"
 #include "core/simulation/result.h"
+#include "core/surface/accuracy.h"
+#include "core/surface/formula.h"
 
 #include <array>
 #include <optional>

@@ -2,10 +2,22 @@
 #pragma once
 
 #include "core/quality/constraints.h"
+#include "core/result.h"
+#include "core/surface/accuracy.h"
 
+#include <span>
 #include <string>
 
 namespace sparkout {
+
+/// The form of a zone with several sections.
+struct ZoneFormFigures {
+    const SectionAccuracy* worst = nullptr; ///< its least round section
+    const ZoneForm* form = nullptr;
+    bool isKnown = true; ///< false where strips stay uncut
+};
+
+[[nodiscard]] std::span<const Output<ZoneFormFigures>> zoneFormOutputs();
 
 /// A result as one JSON object: the output of `sparkout-cli simulate --json` and of the window's
 /// export; its named keys are fixed. "shop" holds the shop's numbers:

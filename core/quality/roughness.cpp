@@ -8,7 +8,7 @@
 #include "core/project/measured.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/quality/depth_limits.h"
+#include "core/quality/limit_series.h"
 #include "core/simulation/stage_control.h"
 #include "core/text.h"
 #include "core/units.h"

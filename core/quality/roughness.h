@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/limits/cutting.h"
 #include "core/simulation/result.h"
+#include "core/surface/cutting.h"
 
 #include <numbers>
 #include <optional>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/run_summary.h"
 
-#include "core/format/project_file.h"
-#include "core/format/strict_json.h"
-#include "core/format/table_reader.h"
-#include "core/format/table_writer.h"
+#include "core/file/project_file.h"
+#include "core/file/strict_json.h"
+#include "core/file/table_reader.h"
 #include "core/project/part.h"
 #include "core/quality/requirement.h"
 #include "core/quality/result_names.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/project/leaves.h"
+#include "core/project/member.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/result.h"
 

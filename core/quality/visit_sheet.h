@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/limits/cutting.h"
-#include "core/limits/formula.h"
 #include "core/simulation/result.h"
-#include "core/simulation/trajectory.h"
+#include "core/surface/cutting.h"
+#include "core/surface/formula.h"
 
 #include <cstddef>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/setup_file.h"
 
-#include "core/format/project_json.h"
-#include "core/format/strict_json.h"
-#include "core/format/table_reader.h"
-#include "core/format/table_writer.h"
-#include "core/setup/shared_members.h"
+#include "core/file/project_json.h"
+#include "core/file/strict_json.h"
+#include "core/file/table_reader.h"
+#include "core/setup/setup.h"
 #include "core/setup/split_project.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/setup_run.h"
 
-#include "core/format/output_json.h"
-#include "core/format/strict_json.h"
+#include "core/file/output_json.h"
+#include "core/file/strict_json.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/worn_project.h"

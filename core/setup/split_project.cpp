@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/split_project.h"
 
-#include "core/setup/shared_members.h"
+#include "core/setup/setup.h"
 
 #include <string>
 #include <utility>

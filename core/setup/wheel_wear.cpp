@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/wheel_wear.h"
 
-#include "core/process/recipe_force.h"
+#include "core/process/force.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/project.h"

@@ -271,7 +271,7 @@ void SectionCoupling::sumForces(std::size_t block) {
     }
 }
 
-// Sets the coefficients section by section.
+// Sets the coefficients of rubbing section by section.
 void SectionCoupling::imposeRubbing(CutWidth& width) {
     double* C = width.coefficients.C.data();
     for (std::size_t j = 0; j < m_sections; ++j) {

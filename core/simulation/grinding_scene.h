@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/process/ground_stretch.h"
+#include "core/process/profile.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/result.h"
 

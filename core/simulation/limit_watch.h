@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/limits/burn_table.h"
 #include "core/process/pass_kernel.h"
 #include "core/process/profile.h"
 #include "core/simulation/result.h"
+#include "core/surface/burn_table.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/cycle_steps.h"
+#include "core/simulation/cycle_loop.h"
 
 #include <memory>
 #include <stop_token>

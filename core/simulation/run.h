@@ -10,7 +10,6 @@
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/result.h"
 #include "core/simulation/stage_control.h"
-#include "core/simulation/trajectory.h"
 
 #include <cstddef>
 #include <limits>

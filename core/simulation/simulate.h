@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/simulation/result.h"
-#include "core/simulation/trajectory.h"
 
 #include <stop_token>
 

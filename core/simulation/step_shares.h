@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simulation/progress.h"
 #include "core/simulation/result.h"
-#include "core/simulation/stroke_step.h"
-#include "core/simulation/trajectory.h"
 
 #include <array>
 #include <vector>

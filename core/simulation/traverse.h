@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/machine.h"
-#include "core/simulation/cycle_steps.h"
+#include "core/simulation/cycle_loop.h"
 
 #include <memory>
 #include <stop_token>

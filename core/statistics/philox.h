@@ -8,6 +8,14 @@
 
 namespace sparkout {
 
+/// Tabulated dimensions of the sequence: two points of sixteen factors each, needed for the
+/// sensitivity indices of the largest batch.
+inline constexpr int sobolDimensions = 32;
+
+/// Coordinate of point `index` (below 2³²) of the Sobol sequence as a fraction of 2³², directions
+/// of Joe and Kuo [JOEKUO2008]; in natural, not Gray-code, order.
+[[nodiscard]] std::uint32_t sobolCoordinate(std::uint32_t index, int dimension);
+
 /// Philox4x32-10, a random function of a counter and a key [SALMON2011]: the values of a part
 /// depend on its number alone, never on earlier draws.
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/batch_edits.h"
 
-#include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"

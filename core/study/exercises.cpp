@@ -2,13 +2,12 @@
 #include "core/study/exercises.h"
 
 #include "core/process/force.h"
-#include "core/process/recipe_force.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/quality/finished_surface.h"
+#include "core/quality/ranges.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 

@@ -3,8 +3,8 @@
 
 #include "core/batch/batch_state.h"
 #include "core/build_id.h"
-#include "core/files/file_system.h"
-#include "core/optimisation/search_names.h"
+#include "core/file/file_system.h"
+#include "core/search/optimise.h"
 
 #include <cerrno>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/safe_file.h"
-#include "core/optimisation/search_journal.h"
-#include "core/resume/search_state.h"
+#include "core/file/safe_file.h"
+#include "core/search/search_journal.h"
+#include "core/search/search_state.h"
 #include "core/study/search.h"
 
 #include <chrono>

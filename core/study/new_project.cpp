@@ -7,7 +7,6 @@
 #include "core/project/validate.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
-#include "core/study/usual_search.h"
 
 #include <optional>
 #include <utility>

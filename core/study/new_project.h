@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "core/starting/starting_project.h"
+#include "core/study/starting_project.h"
 
 #include <string>
 #include <vector>

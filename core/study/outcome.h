@@ -10,7 +10,6 @@
 #include "core/simulation/result.h"
 #include "core/simulation/step_shares.h"
 #include "core/simulation/stock_layers.h"
-#include "core/simulation/trajectory.h"
 
 #include <memory>
 #include <stop_token>

@@ -4,25 +4,60 @@
 #include "core/batch/batch_run.h"
 #include "core/deadline_stop.h"
 #include "core/grace_stop.h"
-#include "core/optimisation/binding.h"
-#include "core/optimisation/judge.h"
-#include "core/optimisation/trade_off.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/quality/remarks.h"
+#include "core/quality/light.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
+#include "core/search/binding.h"
+#include "core/search/judge.h"
+#include "core/search/refine.h"
+#include "core/search/robust.h"
 #include "core/simulation/simulate.h"
-#include "core/study/refine_answer.h"
 
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <stop_token>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
 
 namespace {
+
+/// Results of a robust search that a refinement of its answer needs.
+struct RobustTrail {
+    std::vector<Project> scenarios; ///< scenarios that it added
+    int candidates = 0;             ///< number of cycles tried on fresh phases
+    bool isCapable = true;          ///< FreshParts::isCapable of the answer
+};
+
+/// The answer of a search of a grid.
+struct GridAnswer {
+    const Project& asked; ///< the project that was searched
+    const Project& best;  ///< the project with the machine settings of the answer
+    const Cycle& cycle;
+    std::optional<RobustTrail> robust; ///< only for a robust search
+};
+
+/// Refines an answer off the grid; the answer of a robust search in the scenarios that it added and
+/// in fresh ones.
+[[nodiscard]] RefineSummary refineAnswer(const GridAnswer& answer, const std::stop_token& stop);
+
+RefineSummary refineAnswer(const GridAnswer& answer, const std::stop_token& stop) {
+    RefineOptions options;
+    options.stop = stop;
+    if (answer.robust) {
+        options.everyStageSteps = true;
+        options.scenarios = answer.robust->scenarios;
+        options.source = undecidedScenarios(answer.asked, stop);
+        options.candidates = answer.robust->candidates;
+        options.asksCapability = answer.robust->isCapable;
+    }
+    return refine(answer.best, answer.cycle, options);
+}
 
 /// The search of one grid, as the project specifies it.
 struct SearchedGrid {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dressing/interval_search.h"
+#include "core/batch/judgement.h"
 #include "core/issue.h"
-#include "core/judgement/judgement.h"
-#include "core/optimisation/limit.h"
-#include "core/optimisation/optimise.h"
-#include "core/optimisation/phase_cases.h"
-#include "core/optimisation/refine.h"
-#include "core/optimisation/robust.h"
-#include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
+#include "core/search/limit.h"
+#include "core/search/optimise.h"
+#include "core/search/phase_cases.h"
+#include "core/search/refine.h"
+#include "core/search/robust.h"
+#include "core/search/variants.h"
+#include "core/setup/interval_search.h"
 #include "core/setup/setup.h"
-#include "core/setup/surface_wear.h"
+#include "core/setup/worn_project.h"
 #include "core/study/search_levels.h"
 
 #include <cstddef>

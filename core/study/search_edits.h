@@ -4,7 +4,34 @@
 #include "core/project/project.h"
 
 /// Edits of the search for a project's quickest cycle.
+
 namespace sparkout {
+
+/// Returns the project with a usual search about its cycle: roughing, finishing and, where the
+/// cycle has one, spark-out, as in a shop. Its answer is fit for every corner of the batch, or
+/// without a valid batch for every stock within one infeed; levels are preferred numbers R10 in
+/// steps of the machine, and the feeds of the cycle, which no answer is slower than where it is fit
+/// itself and within the limits below.
+///
+/// * Plunge: roughing from half its current feed to Q'_w = 2 mm³/(mm·s) and 1.2 mm/min, for
+/// unhardened
+///   steel and iron 3 and 1.6, in a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or
+///   0.16 mm/min by the required roughness.
+/// * Traverse: roughing from 0.5 to 1.6 of its current infeed, at most 25 µm, finishing from 0.6 to
+///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.
+///   Where the machine has a range of the continuous infeed, stages may instead have one that feeds
+///   as much in a double stroke.
+/// * Where a roughness is required that is only estimated, as a range, nothing else keeps finishing
+///   slow: then its feeds are within these limits also where those of the cycle are beyond them,
+///   and its S_ax is at most 0.2, 0.25 or 0.35 B·n by the required roughness, as in a starting
+///   cycle.
+/// * Finishing takes at least 15 µm and three quarters of its current stock, at most twice that; a
+///   spark-out takes at most 6 µm and lasts 3 s, its current time or half as long again, in whole
+///   revolutions, or two and three double strokes.
+///
+/// Stages that take stock have the usual overlap and steps, as with withPracticalLimits(). The
+/// project must be valid; where such a grid has no cycle the grid is that of withOfferedSearch().
+[[nodiscard]] Project usualSearch(Project project);
 
 /// Returns the project with a usual grid: preferred numbers over the machine's whole ranges as
 /// levels of the feeds, which follow the answer, about 15 steps of stock, up to two stages or three

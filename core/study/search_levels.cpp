@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/search_levels.h"
 
-#include "core/optimisation/levels.h"
-#include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "core/search/grid.h"
+#include "core/search/variants.h"
 
 #include <algorithm>
 #include <cmath>

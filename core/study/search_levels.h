@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/optimise.h"
-#include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
 #include "core/project/operation.h"
 #include "core/project/project.h"
+#include "core/search/optimise.h"
+#include "core/search/variants.h"
 
 #include <cstddef>
 #include <optional>

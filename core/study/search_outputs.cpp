@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/search_outputs.h"
 
-#include "core/dressing/dressing_interval.h"
-#include "core/format/output_json.h"
-#include "core/format/project_file.h"
-#include "core/optimisation/levels.h"
-#include "core/optimisation/search_names.h"
+#include "core/file/output_json.h"
+#include "core/file/project_file.h"
 #include "core/project/optimisation.h"
+#include "core/search/grid.h"
+#include "core/search/optimise.h"
+#include "core/setup/dressing_interval.h"
 #include "core/text.h"
 #include "core/units.h"
 

@@ -3,7 +3,6 @@
 
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
-#include "core/project/machine_steps.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/text.h"

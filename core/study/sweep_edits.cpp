@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/sweep_edits.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/number_input.h"
 #include "core/project/sweep.h"
-#include "core/project/sweep_rules.h"
 
 #include <algorithm>
 #include <charconv>

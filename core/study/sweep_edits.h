@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sweep/sweep_run.h"
+#include "core/batch/sweep_run.h"
 
 #include <string>
 

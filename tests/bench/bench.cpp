@@ -5,14 +5,14 @@
 // Minima over interleaved repetitions, so that a busy machine does not matter much. The exit status
 // is 1 when a ratio is beyond four times its target.
 #include "core/batch/batch_run.h"
-#include "core/form/accuracy.h"
-#include "core/format/project_file.h"
-#include "core/limits/burn_table.h"
+#include "core/file/project_file.h"
 #include "core/process/pass_kernel.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/simulate.h"
+#include "core/surface/accuracy.h"
+#include "core/surface/burn_table.h"
 #include "tests/core/support/demanding_project.h"
 
 #include <benchmark/benchmark.h>

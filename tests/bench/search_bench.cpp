@@ -2,11 +2,11 @@
 // How fast the searches for the quickest cycle are. The lines are `BENCH name value target ratio`:
 // value in ns of processor time, or a count; ratio to the time allowed, or to another search of the
 // same run. The exit status is 1 when a ratio is beyond four times its target.
-#include "core/files/safe_file.h"
-#include "core/format/project_file.h"
-#include "core/optimisation/optimise.h"
-#include "core/optimisation/robust.h"
+#include "core/file/project_file.h"
+#include "core/file/safe_file.h"
 #include "core/project/batch.h"
+#include "core/search/optimise.h"
+#include "core/search/robust.h"
 #include "core/simulation/simulate.h"
 #include "tests/whole_project.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `course` as a teacher meets it: variants for a list, works marked, faults named.
-#include "core/course/work.h"
+#include "core/lesson/work.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"

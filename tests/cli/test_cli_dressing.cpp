@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `dressing` as a user meets it: what it prints is what the engine finds, and its exit status.
-#include "core/dressing/dressing_interval.h"
 #include "core/project/optimisation.h"
 #include "core/quality/requirement.h"
+#include "core/setup/dressing_interval.h"
 #include "core/setup/setup_file.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"

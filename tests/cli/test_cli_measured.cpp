@@ -6,7 +6,7 @@
 #include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"
-#include "tests/core/identification/measured_cycles.h"
+#include "tests/core/measured/measured_cycles.h"
 #include "tests/registry.h"
 #include "words/measured_words.h"
 

@@ -2,11 +2,11 @@
 // Labels: numbers
 // `sparkout-cli optimize` as a user meets it: the real program, its exit status, what it prints and
 // writes, and Ctrl+C.
-#include "core/dressing/interval_search.h"
-#include "core/judgement/judgement.h"
-#include "core/optimisation/binding.h"
-#include "core/optimisation/limit.h"
-#include "core/optimisation/optimise.h"
+#include "core/batch/judgement.h"
+#include "core/search/binding.h"
+#include "core/search/limit.h"
+#include "core/search/optimise.h"
+#include "core/setup/interval_search.h"
 #include "core/setup/setup_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"

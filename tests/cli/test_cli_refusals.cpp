@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the command line refuses, and in which words: usage, unreadable and faulty files.
-#include "core/files/safe_file.h"
-#include "core/project/batch_rules.h"
+#include "core/file/safe_file.h"
+#include "core/project/batch.h"
 #include "core/version.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"

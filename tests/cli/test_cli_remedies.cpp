@@ -3,9 +3,9 @@
 // `remedies` as a user meets it: the real program, what it prints, and that its patch does it.
 #include "core/project/machine.h"
 #include "core/project/part.h"
-#include "core/remedies/remedies.h"
 #include "core/simulation/simulate.h"
 #include "core/study/operation.h"
+#include "core/study/remedies.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 

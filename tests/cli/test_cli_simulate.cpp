@@ -2,7 +2,7 @@
 // Labels: numbers
 // What simulate prints, as text and as JSON, is what the engine computes.
 #include "core/batch/batch_run.h"
-#include "core/judgement/judgement.h"
+#include "core/batch/judgement.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
@@ -10,7 +10,6 @@
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
-#include "words/judgement_json.h"
 #include "words/judgement_words.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // `sweep` as a user meets it: the real program, its exit status, what it prints.
-#include "core/sweep/sweep_run.h"
+#include "core/batch/sweep_run.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 

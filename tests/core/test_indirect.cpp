@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of Indirect and OptionalIndirect: values that stand apart from their owner.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/indirect.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"

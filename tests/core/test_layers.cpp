@@ -132,7 +132,7 @@ private slots:
         for (const char* folder : {"core", "words"}) {
             row(folder, "^(Q[A-Za-z]|qcustomplot)");
         }
-        for (const char* folder : {"ui/text", "ui/session", "ui/files", "ui/tables"}) {
+        for (const char* folder : {"ui/text", "ui/session", "ui/table"}) {
             row(folder, "^(qcustomplot|QWidget|QApplication|QMainWindow|"
                         "Q[A-Za-z]*(Button|Dialog|Edit|Label|Layout|View|Box)$)");
         }

@@ -1,17 +1,162 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/file_questions.h"
 
+#include "ui/form/mark.h"
+#include "ui/kit/help_topic.h"
+#include "ui/session/background.h"
 #include "ui/session/document.h"
+#include "ui/session/guarded_file.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
+#include <QClipboard>
 #include <QCoreApplication>
+#include <QCursor>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 namespace sparkout {
+
+QStringList FaultsDialog::lines(const Issues& issues) {
+    QStringList list;
+    for (const Issue& issue : issues) {
+        const QString path = QString::fromStdString(issue.path);
+        const QString where = locationText(issue.path);
+        list += path.isEmpty() ? fileIssueText(issue)
+                : where.isEmpty() || where == path.section(u'/', -1)
+                    ? tr("%1: %2").arg(path, fileIssueText(issue))
+                    : tr("%1 (%2): %3").arg(where, path, fileIssueText(issue));
+    }
+    return list;
+}
+
+FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* parent, File state)
+    : QDialog(parent) {
+    setHelpTopic(*this, QStringLiteral("files#faults"));
+    const QString name = printableText(QFileInfo(file).fileName());
+    setWindowTitle(state == File::refused ? tr("The file was not opened")
+                                          : tr("Faults of the file"));
+    auto* head = new QLabel(state == File::refused
+                                ? tr("“%1” is refused for these reasons. The project in the window "
+                                     "is unchanged.")
+                                      .arg(name)
+                                : tr("“%1” is open, but these values are refused:").arg(name),
+                            this);
+    head->setTextFormat(Qt::PlainText);
+    head->setWordWrap(true);
+    auto* list = new QListWidget(this);
+    list->setWordWrap(true);
+    list->setAccessibleName(tr("Faults of the file"));
+    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const QStringList texts = lines(issues);
+    for (qsizetype i = 0; i < texts.size(); ++i) {
+        const bool isError = issues[std::size_t(i)].severity == Severity::error;
+        new QListWidgetItem(markIcon(isError ? Mark::error : Mark::warning), texts[i], list);
+    }
+    auto* buttons = new QDialogButtonBox(this);
+    auto* copy = buttons->addButton(tr("&Copy the list"), QDialogButtonBox::ActionRole);
+    auto* close = buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    copy->setAutoDefault(false);
+    close->setDefault(true);
+    connect(copy, &QPushButton::clicked, this,
+            [texts] { QGuiApplication::clipboard()->setText(texts.join(u'\n')); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(head);
+    layout->addWidget(list, 1);
+    layout->addWidget(buttons);
+    resize(640, 320);
+}
+
+void DiskWait::during(const std::function<void()>& work) {
+    m_busy = true;
+    work();
+    m_busy = false;
+}
+
+void DiskWait::aside(const std::function<void()>& work) {
+    during([&work] {
+        QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+        runAside(work);
+        QGuiApplication::restoreOverrideCursor();
+    });
+}
+
+std::optional<GuardQuestions::Opening> GuardQuestions::wayToOpen(const QString& path) {
+    switch (m_file.claim(path)) {
+    case GuardedFile::Access::write: return Opening::write;
+    case GuardedFile::Access::readOnly: return Opening::readOnly;
+    case GuardedFile::Access::conflict: break;
+    }
+    switch (askLocked(m_window, path, m_file.holder())) {
+    case LockedAnswer::readOnly: return Opening::readOnly;
+    case LockedAnswer::copy: m_file.dropClaim(); return Opening::copy;
+    case LockedAnswer::takeOver:
+        return m_file.takeOver() == GuardedFile::Access::write ? Opening::write : Opening::readOnly;
+    case LockedAnswer::cancel: break;
+    }
+    m_file.dropClaim();
+    return {};
+}
+
+/// Asks the user about every obstacle to writing the file.
+SaveAnswer GuardQuestions::clearTheWay(const QString& path, Reloading reloading) {
+    if (m_file.claim(path) == GuardedFile::Access::conflict) {
+        const SaveAnswer answer = askSaveLocked(m_window, path, m_file.holder());
+        if (answer != SaveAnswer::proceed) {
+            return answer;
+        }
+        (void)m_file.takeOver();
+    }
+    if (const auto state = m_file.changedOutside(path)) {
+        const SaveAnswer answer = askChangedOutside(
+            m_window, path,
+            state->kind == DiskState::Kind::missing ? Outside::removed : Outside::changed,
+            reloading);
+        if (answer != SaveAnswer::proceed) {
+            return answer;
+        }
+    }
+    if (const std::uint64_t links = linkCount(path); links > 1 && m_linksAccepted != path) {
+        const SaveAnswer answer = askHardLinks(m_window, path, links);
+        if (answer != SaveAnswer::proceed) {
+            return answer;
+        }
+        m_linksAccepted = path;
+    }
+    return SaveAnswer::proceed;
+}
+
+GuardQuestions::Outcome
+GuardQuestions::save(const QString& path, Reloading reloading,
+                     const std::function<std::optional<FileError>()>& write) {
+    m_error.reset();
+    do {
+        switch (clearTheWay(path, reloading)) {
+        case SaveAnswer::proceed: break;
+        case SaveAnswer::elsewhere: m_file.dropClaim(); return Outcome::elsewhere;
+        case SaveAnswer::reload: m_file.dropClaim(); return Outcome::reload;
+        case SaveAnswer::cancel: m_file.dropClaim(); return Outcome::cancelled;
+        }
+        m_wait.during([&] { m_error = write(); });
+        // Somebody was quicker than the answer: the next look at the disk asks again.
+    } while (m_error && m_error->step == FileStep::changed && m_file.changedOutside(path));
+    return m_error ? Outcome::failed : Outcome::saved;
+}
+
+GuardQuestions::Outcome GuardQuestions::save(const QString& path, Reloading reloading,
+                                             const MakeContent& make) {
+    return save(path, reloading, [&] { return m_file.write(path, make); });
+}
 
 namespace {
 

@@ -1,19 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/safe_file.h"
-#include "ui/files/file_lock.h"
+#include "core/file/safe_file.h"
+#include "core/issue.h"
+#include "ui/session/file_lock.h"
+#include "ui/session/project_io.h"
 
+#include <QDialog>
 #include <QString>
 #include <QStringList>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 
 class QWidget;
 
 /// The questions and messages about files. Each names the file; Escape always means "change
 /// nothing", and the default button loses no work.
+
+class QWidget;
+
 namespace sparkout {
+
+/// The faults of a refused or opened file: every fault with its place in words, its path in the
+/// file and its sentence.
+class FaultsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    enum class File { refused, opened };
+
+    FaultsDialog(const QString& file, const Issues& issues, QWidget* parent = nullptr,
+                 File state = File::refused);
+
+    /// One line for each fault, for the list and the clipboard.
+    [[nodiscard]] static QStringList lines(const Issues& issues);
+};
+
+/// Whether a disk is being waited for: the window stays responsive meanwhile, and a command that
+/// must not run then checks busy().
+class DiskWait {
+public:
+    [[nodiscard]] bool busy() const { return m_busy; }
+    void during(const std::function<void()>& work); ///< work that keeps the window alive itself
+    void aside(const std::function<void()>& work);  ///< without freezing the window
+
+private:
+    bool m_busy = false;
+};
 
 class Document;
 
@@ -53,5 +88,45 @@ enum class FailureAnswer { again, elsewhere, cancel };
 [[nodiscard]] QString inUseText(const QString& path, const LockHolder& holder);
 /// A text about a file that cannot be locked, because another object has the lock's name.
 [[nodiscard]] QString strangeLockText(const QString& strange);
+
+class DiskWait;
+class GuardedFile;
+
+/// The questions before opening or writing a guarded file of any kind.
+class GuardQuestions {
+public:
+    enum class Opening { write, readOnly, copy };
+    enum class Outcome {
+        saved,
+        elsewhere, ///< the user wants another file
+        reload,    ///< the user wants the version on the disk
+        cancelled,
+        failed, ///< see error()
+    };
+
+    GuardQuestions(GuardedFile& file, DiskWait& wait, QWidget* window)
+        : m_file(file), m_wait(wait), m_window(window) {}
+
+    /// Claims a file to be opened; empty if the user cancels.
+    [[nodiscard]] std::optional<Opening> wayToOpen(const QString& path);
+
+    /// Writes after asking about every obstacle. Drops the claim of a file that was not written,
+    /// except after a failure, so that it can be retried.
+    [[nodiscard]] Outcome save(const QString& path, Reloading reloading,
+                               const std::function<std::optional<FileError>()>& write);
+    /// Lets the guarded file make the contents.
+    [[nodiscard]] Outcome save(const QString& path, Reloading reloading, const MakeContent& make);
+    [[nodiscard]] const std::optional<FileError>& error() const { return m_error; }
+    void forgetError() { m_error.reset(); } ///< before a path is requested
+
+private:
+    [[nodiscard]] SaveAnswer clearTheWay(const QString& path, Reloading reloading);
+
+    GuardedFile& m_file;
+    DiskWait& m_wait;
+    QWidget* m_window;
+    QString m_linksAccepted; ///< the file whose other names may keep the old text
+    std::optional<FileError> m_error;
+};
 
 } // namespace sparkout

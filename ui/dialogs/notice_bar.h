@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/fields/mark.h"
+#include "ui/form/mark.h"
 
 #include <QWidget>
 

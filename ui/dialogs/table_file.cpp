@@ -3,7 +3,7 @@
 
 #include "core/version.h"
 #include "ui/dialogs/save_dialog.h"
-#include "ui/tables/sheet.h"
+#include "ui/table/sheet.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tables/csv_table.h"
+#include "ui/table/csv_table.h"
 
 #include <QString>
 

@@ -26,7 +26,7 @@ namespace {
 constexpr int unfelt_ms = 20; // shorter work needs no event loop
 constexpr int quick_ms = 400; // shorter work needs no dialog, which would only flash
 constexpr int tick_ms = 50;
-constexpr int steps = 1000; // number of steps of the bar
+constexpr int barSteps = 1000; // number of steps of the bar
 constexpr int barWidth = 360;
 
 /// The progress of the work, and a button to stop it.
@@ -54,8 +54,8 @@ public:
         column->addLayout(row);
     }
     void show(double share) {
-        m_bar->setRange(0, share > 0 ? steps : 0);
-        m_bar->setValue(static_cast<int>(share * steps));
+        m_bar->setRange(0, share > 0 ? barSteps : 0);
+        m_bar->setValue(static_cast<int>(share * barSteps));
     }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tables/sheet.h"
+#include "ui/table/sheet.h"
 
 #include <QString>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field.h"
-#include "ui/tables/pasted_cells.h"
+#include "ui/table/pasted_cells.h"
 
 #include <QCoreApplication>
 #include <QString>

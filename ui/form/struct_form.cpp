@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/struct_form.h"
 
-#include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"

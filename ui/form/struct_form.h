@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/fields/mark.h"
 #include "ui/form/choice_editor.h"
+#include "ui/form/mark.h"
 
 #include <QString>
 #include <QWidget>

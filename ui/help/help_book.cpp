@@ -1,20 +1,138 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/help_book.h"
 
-#include "ui/help/glossary.h"
-#include "ui/help/help_words.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
+#include <QByteArray>
+#include <QCollator>
 #include <QCoreApplication>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
 #include <QRegularExpression>
+#include <libstemmer.h>
 
 #include <algorithm>
 #include <array>
 
 namespace sparkout {
+
+namespace {
+
+QRegularExpressionMatchIterator wordsOf(const QString& text) {
+    static const QRegularExpression word(QStringLiteral("\\w+"),
+                                         QRegularExpression::UseUnicodePropertiesOption);
+    return word.globalMatch(text);
+}
+
+QString folded(const QString& word) {
+    return word.toCaseFolded().replace(u'ё', u'е');
+}
+
+} // namespace
+
+HelpWords::HelpWords(const QString& wanted)
+    : m_stemmer(
+        sb_stemmer_new(QLocale().language() == QLocale::Russian ? "russian" : "english", nullptr),
+        sb_stemmer_delete) {
+    for (auto it = wordsOf(wanted); it.hasNext();) {
+        const QString word = folded(it.next().captured());
+        m_wanted.push_back({word, stemOf(word)});
+    }
+}
+
+QString HelpWords::stemOf(const QString& folded) const {
+    const QByteArray utf8 = folded.toUtf8();
+    const auto* const stem =
+        m_stemmer
+            ? sb_stemmer_stem(m_stemmer.get(), reinterpret_cast<const sb_symbol*>(utf8.constData()),
+                              static_cast<int>(utf8.size()))
+            : nullptr;
+    return stem ? QString::fromUtf8(reinterpret_cast<const char*>(stem),
+                                    sb_stemmer_length(m_stemmer.get()))
+                : folded; // out of memory
+}
+
+bool HelpWords::Wanted::is(const QString& found, const HelpWords& words) const {
+    constexpr int least = 3; // least letters of a distinctive stem: that of «ось» is «о»
+    return found.startsWith(word)
+           || (stem.size() >= least && found.front() == stem.front()
+               && words.stemOf(found) == stem);
+}
+
+bool HelpWords::areIn(const QString& text) const {
+    std::vector<bool> in(m_wanted.size());
+    for (auto it = wordsOf(text); it.hasNext();) {
+        const QString found = folded(it.next().captured());
+        for (std::size_t i = 0; i < m_wanted.size(); ++i) {
+            in[i] = in[i] || m_wanted[i].is(found, *this);
+        }
+    }
+    return std::ranges::all_of(in, [](bool each) { return each; });
+}
+
+std::vector<HelpWords::Place> HelpWords::placesIn(const QString& text) const {
+    std::vector<Place> places;
+    for (auto it = wordsOf(text); it.hasNext();) {
+        const QRegularExpressionMatch match = it.next();
+        const QString found = folded(match.captured());
+        if (std::ranges::any_of(m_wanted, [&](const Wanted& w) { return w.is(found, *this); })) {
+            places.push_back({match.capturedStart(), match.capturedLength()});
+        }
+    }
+    return places;
+}
+
+namespace {
+
+QStringList listOf(const QJsonValue& value) {
+    QStringList texts;
+    for (const QJsonValue text : value.toArray()) {
+        texts << text.toString();
+    }
+    return texts;
+}
+
+} // namespace
+
+std::vector<Term> glossary() {
+    QFile file(QStringLiteral(":/help/glossary.json"));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
+    std::vector<Term> terms;
+    for (const QJsonValue value : document.object().value(QLatin1StringView("terms")).toArray()) {
+        const QJsonObject term = value.toObject();
+        const auto text = [&term](const char* key) {
+            return term.value(QLatin1StringView(key)).toString();
+        };
+        terms.push_back({text("en"), text("ru"), text("meaning_en"), text("meaning_ru"),
+                         listOf(term.value(QLatin1StringView("stems"))),
+                         listOf(term.value(QLatin1StringView("banned")))});
+    }
+    return terms;
+}
+
+QString glossaryHtml() {
+    const bool russian = QLocale().language() == QLocale::Russian;
+    std::vector<Term> terms = glossary();
+    const QCollator order{QLocale()};
+    std::ranges::sort(terms, [&](const Term& a, const Term& b) {
+        return order.compare(russian ? a.russian : a.english, russian ? b.russian : b.english) < 0;
+    });
+    QString html = QStringLiteral("<table>");
+    for (const Term& term : terms) {
+        html += QStringLiteral("<tr><td><b>%1</b></td><td><i>%2</i></td><td>%3</td></tr>")
+                    .arg((russian ? term.russian : term.english).toHtmlEscaped(),
+                         (russian ? term.english : term.russian).toHtmlEscaped(),
+                         (russian ? term.russianMeaning : term.englishMeaning).toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
 
 namespace {
 

@@ -2,7 +2,6 @@
 #include "ui/help/help_window.h"
 
 #include "ui/help/help_book.h"
-#include "ui/help/help_words.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/inputs_panel.h"
 
-#include "ui/fields/number_field.h"
-#include "ui/inputs/editors/form_metrics.h"
-#include "ui/inputs/editors/hint_strip.h"
-#include "ui/inputs/forms/list_table.h"
+#include "ui/form/number_field.h"
+#include "ui/inputs/form_metrics.h"
+#include "ui/inputs/hint_strip.h"
+#include "ui/inputs/list_table.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "ui/inputs/forms/form_page.h"
+#include "ui/inputs/form_page.h"
 
 #include <QWidget>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "ui/fields/mark.h"
-#include "ui/inputs/forms/form_page.h"
+#include "ui/form/mark.h"
+#include "ui/inputs/form_page.h"
 
 #include <QListWidget>
 

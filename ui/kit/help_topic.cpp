@@ -16,6 +16,7 @@
 namespace sparkout {
 
 namespace {
+
 constexpr const char* topicProperty = "sparkoutHelpTopic";
 }
 

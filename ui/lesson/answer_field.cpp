@@ -2,7 +2,7 @@
 #include "ui/lesson/answer_field.h"
 
 #include "core/project/project.h"
-#include "ui/fields/number_field.h"
+#include "ui/form/number_field.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_desk.h"
 
-#include "core/course/make_variants.h"
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/make_variants.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
-#include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/save_dialog.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/work.h"
 #include "core/issue.h"
-#include "ui/dialogs/disk_wait.h"
-#include "ui/dialogs/guard_questions.h"
-#include "ui/files/guarded_file.h"
+#include "core/lesson/work.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/lesson/hidden_things.h"
+#include "ui/session/guarded_file.h"
 #include "ui/session/lesson_run.h"
 #include "ui/session/setup_state.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lessons_dialog.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/lesson/lesson_file.h"
-#include "ui/files/own_lessons.h"
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/lesson_text.h"
+#include "ui/session/own_lessons.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/grading.h"
+#include "core/lesson/grading.h"
 #include "core/lesson/lesson.h"
-#include "ui/session/newest_job.h"
+#include "ui/session/job.h"
 
 #include <QDialog>
 #include <QStringList>

@@ -3,7 +3,7 @@
 
 #include "core/measured/measured_table.h"
 #include "core/project/project.h"
-#include "ui/tables/value_table.h"
+#include "ui/table/value_table.h"
 
 #include <QStringList>
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measured/import_dialog.h"
 
-#include "core/measured/key_value_lines.h"
+#include "core/measured/measured_table.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
-#include "ui/dialogs/value_model.h"
-#include "ui/fields/number_field.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/form/number_field.h"
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
 #include "ui/measured/columns_model.h"
 #include "ui/measured/measured_text.h"
-#include "ui/tables/value_table.h"
+#include "ui/table/value_table.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>

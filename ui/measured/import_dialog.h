@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/file/table_text.h"
 #include "core/measured/measured_table.h"
 #include "core/project/project.h"
-#include "core/tables/table_text.h"
-#include "ui/session/newest_job.h"
+#include "ui/session/job.h"
 
 #include <QDialog>
 #include <QObject>

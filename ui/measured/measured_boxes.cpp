@@ -4,7 +4,7 @@
 #include "core/batch/batch_summary.h"
 #include "core/project/part.h"
 #include "ui/measured/measured_text.h"
-#include "ui/tables/csv_table.h"
+#include "ui/table/csv_table.h"
 #include "ui/text/field_text.h"
 #include "ui/text/texts.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/adequacy/adequacy.h"
+#include "core/measured/adequacy.h"
 #include "core/project/project.h"
-#include "ui/bars/bar_chart.h"
-#include "ui/tables/value_table.h"
+#include "ui/chart/bar_chart.h"
+#include "ui/table/value_table.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measured/measured_import.h"
 
-#include "core/files/safe_file.h"
+#include "core/file/safe_file.h"
 #include "core/measured/measured_table.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/kit/file_dialog.h"
@@ -9,7 +9,7 @@
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 #include "ui/session/settings.h"
-#include "ui/tables/pasted_cells.h"
+#include "ui/table/pasted_cells.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 

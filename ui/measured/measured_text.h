@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/adequacy/adequacy.h"
-#include "core/identification/hold_out.h"
+#include "core/measured/adequacy.h"
+#include "core/measured/hold_out.h"
 #include "core/measured/measured_table.h"
 
 #include <QCoreApplication>

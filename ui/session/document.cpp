@@ -2,17 +2,16 @@
 #include "ui/session/document.h"
 
 #include "core/batch/usual_batch.h"
-#include "core/format/project_file.h"
-#include "core/project/leaves.h"
+#include "core/file/project_file.h"
 #include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/setup/shared_members.h"
-#include "core/starting/starting_project.h"
+#include "core/setup/setup.h"
 #include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
-#include "core/study/usual_search.h"
+#include "core/study/search_edits.h"
+#include "core/study/starting_project.h"
 #include "ui/text/example_texts.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/given_factors.h"
-#include "core/starting/starting_cycle.h"
+#include "core/study/starting_cycle.h"
 #include "ui/session/project_io.h"
 #include "ui/session/setup_state.h"
 

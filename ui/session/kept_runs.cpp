@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/kept_runs.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/wheel.h"
 #include "ui/session/surface_edits.h"
 #include "ui/text/example_texts.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "core/study/recalled_run.h"
+#include "core/study/run_comparison.h"
 #include "ui/session/document.h"
-#include "ui/session/newest_job.h"
+#include "ui/session/job.h"
 
 #include <QObject>
 #include <QString>

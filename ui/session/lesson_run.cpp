@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/lesson_run.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/setup/setup_file.h"
 #include "ui/session/project_io.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/work.h"
 #include "core/lesson/goal_check.h"
+#include "core/lesson/work.h"
 #include "ui/session/background.h"
-#include "ui/session/newest_job.h"
+#include "ui/session/job.h"
 
 #include <QObject>
 #include <QString>

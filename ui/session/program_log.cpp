@@ -8,6 +8,7 @@
 namespace sparkout {
 
 namespace {
+
 std::atomic<ProgramLog*> currentLog = nullptr; ///< Qt's handler is a plain function
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/project_io.h"
 
-#include "core/files/file_system.h"
-#include "core/format/project_file.h"
+#include "core/file/file_system.h"
+#include "core/file/project_file.h"
 #include "core/setup/setup_file.h"
 #include "ui/text/file_error_text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/remedy_finder.h"
 
-#include "core/remedies/remedy_setting.h"
+#include "core/study/remedy_setting.h"
 
 #include <chrono>
 #include <utility>

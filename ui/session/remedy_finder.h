@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/remedies/remedies.h"
 #include "core/study/outcome.h"
-#include "ui/session/newest_job.h"
+#include "core/study/remedies.h"
+#include "ui/session/job.h"
 
 #include <QObject>
 #include <QTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/setup_state.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/slider_scale.h"
 
-#include "core/project/machine_steps.h"
+#include "core/project/machine.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/search_journal.h"
+#include "core/batch/sweep_run.h"
+#include "core/search/search_journal.h"
 #include "core/study/search.h"
 #include "core/study/whole_batch.h"
-#include "core/sweep/sweep_run.h"
 #include "ui/session/job.h"
 
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "core/project/iso286.h"
 #include "core/project/project.h"
-#include "core/project/wheel_marking.h"
+#include "core/project/wheel.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/dressing/dressing_interval.h"
+#include "core/setup/dressing_interval.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -2,11 +2,11 @@
 #include "ui/text/hint_text.h"
 
 #include "core/project/part.h"
-#include "core/reference/reference_page.h"
 #include "ui/text/designation_text.h"
 #include "ui/text/field_text.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
+#include "words/reference_page.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

@@ -3,8 +3,8 @@
 
 #include "core/issue.h"
 #include "core/quality/constraints.h"
+#include "core/simulation/progress.h"
 #include "core/simulation/result.h"
-#include "core/simulation/stroke_step.h"
 
 #include <QCoreApplication>
 #include <QString>

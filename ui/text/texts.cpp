@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/texts.h"
 
+#include "core/catalogue/catalogue.h"
 #include "core/printable.h"
 #include "core/project/member.h"
 #include "core/project/project.h"

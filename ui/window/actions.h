@@ -3,19 +3,47 @@
 
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
-#include "ui/window/reports/report_actions.h"
+#include "ui/window/dialogs/report_output.h"
 
 #include <QAction>
 #include <QMenu>
+#include <QWidget>
 
 #include <array>
 #include <vector>
+
+class QMenuBar;
+class QToolBar;
 
 class QMainWindow;
 class QMenuBar;
 class QToolBar;
 
 namespace sparkout {
+
+/// The head of the window: menus and tools on one line. The tools have names beside their icons if
+/// all fit.
+class WindowHead : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WindowHead(QWidget* parent);
+
+    [[nodiscard]] QMenuBar& menus() { return *m_menus; }
+    [[nodiscard]] QToolBar& tools() { return *m_tools; }
+    void fitNames(); ///< after a change of the texts
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void fit();
+
+    QMenuBar* m_menus;
+    QToolBar* m_tools;
+    int m_named = 0; ///< width of the tools with their names
+};
 
 class Document;
 class View;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/help_desk.h"
 
+#include "ui/chart/view.h"
 #include "ui/help/help_window.h"
 #include "ui/help/tour.h"
-#include "ui/inputs/forms/row_sliders.h"
-#include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/row_sliders.h"
+#include "ui/inputs/stage_table.h"
 #include "ui/kit/help_topic.h"
-#include "ui/plot/view.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
 #include "ui/window/actions.h"
 #include "ui/window/dialogs/about_dialog.h"
-#include "ui/window/dialogs/log_dialog.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAbstractButton>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lesson/lesson.h"
-#include "ui/window/reports/report_actions.h"
+#include "ui/window/dialogs/report_output.h"
 
 #include <QObject>
 

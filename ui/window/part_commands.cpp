@@ -9,11 +9,11 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/name_dialog.h"
-#include "ui/part/add_surface_dialog.h"
-#include "ui/part/dressing_dialog.h"
-#include "ui/part/part_text.h"
 #include "ui/session/part_runs.h"
 #include "ui/text/texts.h"
+#include "ui/window/dialogs/add_surface_dialog.h"
+#include "ui/window/dialogs/dressing_dialog.h"
+#include "ui/window/dialogs/part_drawing.h"
 
 #include <QCoreApplication>
 #include <QDialog>

@@ -3,7 +3,7 @@
 
 #include "core/project/member.h"
 #include "ui/session/document.h"
-#include "ui/views/verdict/verdict_sections.h"
+#include "ui/views/requirements/verdict_sections.h"
 
 #include <utility>
 

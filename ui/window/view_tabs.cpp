@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/view_tabs.h"
 
-#include "ui/inputs/editors/form_metrics.h"
+#include "ui/chart/view.h"
+#include "ui/inputs/form_metrics.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/plot/view.h"
 
 #include <QAction>
 #include <QApplication>

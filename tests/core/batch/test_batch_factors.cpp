@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws a factor may follow, what it stands for, and where feeding starts in a batch.
 #include "core/batch/batch_run.h"
-#include "core/batch/factor_law.h"
+#include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
-#include "core/format/blanks_csv.h"
+#include "core/file/blanks_csv.h"
 #include "core/process/system_compliance.h"
 
 #include "tests/core/support/batch_fixtures.h"

@@ -2,8 +2,6 @@
 // All parts of a batch as rows: what they hold, in which order, and when they end.
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_statistics.h"
-#include "core/batch/part_queue.h"
-#include "core/batch/part_table.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

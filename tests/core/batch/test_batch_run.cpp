@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_state.h"
-#include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 

@@ -4,7 +4,6 @@
 #include "core/project/validate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
-#include "core/statistics/sobol_sequence.h"
 
 #include "core/cholesky.h"
 #include "tests/core/support/batch_fixtures.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_statistics.h"
 #include "core/batch/batch_summary.h"
-#include "core/statistics/exact_sum.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 

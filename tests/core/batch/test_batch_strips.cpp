@@ -2,9 +2,9 @@
 // Where strips stay uncut, nothing of the finished surface is a number: in the result, and in a
 // batch, whose parts fail by the overlap alone.
 #include "core/batch/batch_summary.h"
-#include "core/quality/finished_surface.h"
+#include "core/batch/sweep_run.h"
+#include "core/quality/ranges.h"
 #include "core/quality/result_json.h"
-#include "core/sweep/sweep_run.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

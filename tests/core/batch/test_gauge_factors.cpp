@@ -3,7 +3,7 @@
 // without a form, the usual batch, and what a batch leaves out.
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_statistics.h"
-#include "core/batch/factor_law.h"
+#include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
 #include "core/project/gauge.h"
 #include "core/project/validate.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is shipped: whole, sourced, told in both languages, and good for a project.
 #include "core/project/validate.h"
-#include "core/project/wheel_marking.h"
+#include "core/project/wheel.h"
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/natural_order.h"
+#include "core/catalogue/catalogue.h"
 #include "tests/registry.h"
 
 #include <cstring>

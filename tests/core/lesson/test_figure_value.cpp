@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Figures that a lesson asks for beside those of a run's own result: the force law, burn, the form
 // after a pass, the batch, the search. Each is held against the law it stands for.
-#include "core/course/variant.h"
 #include "core/lesson/figure_value.h"
-#include "core/limits/burn.h"
+#include "core/lesson/make_variants.h"
 #include "core/process/force.h"
 #include "core/statistics/intervals.h"
+#include "core/surface/burn.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
 #include "tests/whole_project.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Goals against the engine: figures are those of the run, a goal passes up to its tolerance and not
 // beyond, and what is not free stays as it was given.
-#include "core/judgement/judgement.h"
+#include "core/batch/judgement.h"
 #include "core/lesson/goal_check.h"
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"

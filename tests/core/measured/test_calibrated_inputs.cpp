@@ -3,7 +3,7 @@
 #include "core/measured/calibrated_inputs.h"
 #include "tests/whole_project.h"
 
-#include "core/identification/calibration.h"
+#include "core/measured/calibration.h"
 #include "core/project/member.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

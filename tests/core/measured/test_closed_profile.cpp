@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Profiles of roundness machines as tables: both dialects, radii and deviations, angles that are
 // not even, faults by line and column.
-#include "core/measured/closed_profile.h"
+#include "core/measured/number_table.h"
 
 #include "tests/check_line.h"
 #include "tests/registry.h"

@@ -2,7 +2,6 @@
 // Tables of measurements: dialects, headings and units of both languages, faults by line and
 // column, what is kept of long traces.
 #include "core/measured/measured_table.h"
-#include "core/measured/trace_builder.h"
 #include "core/sha256.h"
 #include "tests/check_line.h"
 #include "tests/ready_made.h"

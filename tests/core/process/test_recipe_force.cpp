@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The force by the wheel's recipe: the published sum over the grains, written here once more, is
 // the law of the model with the shares that the recipe comes to.
-#include "core/process/recipe_force.h"
 
-#include "core/limits/cutting.h"
 #include "core/process/force.h"
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
+#include "core/surface/cutting.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/format/project_file.h"
-#include "core/format/table_reader.h"
-#include "core/format/table_writer.h"
+#include "core/file/project_file.h"
+#include "core/file/table_reader.h"
 #include "core/project/validate.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/core/support/project_samples.h"

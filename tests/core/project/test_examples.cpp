@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shipped example projects: well formed, in the writer's own form, and what their notes say.
-#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_summary.h"
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
+#include "core/measured/adequacy.h"
 #include "core/phases/phase_decision.h"
 #include "core/project/given_factors.h"
 #include "core/project/iso286.h"
@@ -11,7 +11,7 @@
 #include "core/quality/limit_series.h"
 #include "core/quality/result_names.h"
 #include "core/quality/run_summary.h"
-#include "core/simulation/cycle_steps.h"
+#include "core/simulation/cycle_loop.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/traverse.h"
 #include "core/study/new_project.h"

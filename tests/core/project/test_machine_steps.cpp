@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The values that the controls of a machine take.
-#include "core/project/machine_steps.h"
 
 #include "core/project/machine.h"
 #include "core/project/project.h"

@@ -2,7 +2,7 @@
 // Measured parts and traces in a project: shared by its copies, read and written as any input.
 #include "core/project/measured.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/member.h"
 #include "core/project/number_input.h"
 #include "core/project/validate.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/format/table_reader.h"
-#include "core/format/table_writer.h"
+#include "core/file/table_reader.h"
 #include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
-#include "core/reference/reference_page.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "words/reference_page.h"
 
 #include <cmath>
 #include <regex>

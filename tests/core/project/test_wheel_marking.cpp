@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/wheel_marking.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/rapidcheck_runs.h"

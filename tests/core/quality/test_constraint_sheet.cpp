@@ -2,7 +2,7 @@
 // What a requirement says of itself, and the depths of cut that the requirements allow.
 #include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
-#include "core/quality/depth_limits.h"
+#include "core/quality/limit_series.h"
 
 #include "tests/core/support/demanding_project.h"
 #include "tests/core/support/project_fixtures.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roughness, self-sharpening and power: what limits the depth of cut beside burn [MODEL-8].
-#include "core/quality/depth_limits.h"
+#include "core/quality/limit_series.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
-#include "core/quality/self_sharpening.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"

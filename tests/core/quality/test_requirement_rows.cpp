@@ -3,7 +3,7 @@
 
 #include "core/project/member.h"
 #include "core/quality/constraints.h"
-#include "core/quality/depth_limits.h"
+#include "core/quality/limit_series.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of one surface and of several.
-#include "core/format/project_json.h"
-#include "core/setup/shared_members.h"
+#include "core/file/project_json.h"
+#include "core/setup/setup.h"
 #include "core/setup/split_project.h"
 #include "tests/check_line.h"
 #include "tests/core/setup/setup_samples.h"

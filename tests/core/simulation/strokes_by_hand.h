@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/trajectory.h"
+#include "core/simulation/result.h"
 
 #include "tests/core/support/project_fixtures.h"
 

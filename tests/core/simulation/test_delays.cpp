@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Delays of gauge and machine [MODEL-7]: what they add to a stage, and what they leave alone.
-#include "core/simulation/gauge_signal.h"
+#include "core/simulation/stage_control.h"
 
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/core/support/project_samples.h"

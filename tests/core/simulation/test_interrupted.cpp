@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interrupted surfaces: keyways and splines [MODEL-4, 7].
-#include "core/form/accuracy.h"
-#include "core/form/harmonics.h"
 #include "core/project/validate.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/drawing_constraints.h"
@@ -9,8 +7,9 @@
 #include "core/simulation/feed_series.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/stock_layers.h"
-#include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
+#include "core/surface/accuracy.h"
+#include "core/surface/harmonics.h"
 
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/core/simulation/strokes_by_hand.h"

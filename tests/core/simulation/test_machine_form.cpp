@@ -4,15 +4,15 @@
 // of the search, and what is said where nothing is given.
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_statistics.h"
-#include "core/form/roundness.h"
-#include "core/optimisation/limit.h"
 #include "core/process/printed_form.h"
 #include "core/project/measured.h"
 #include "core/project/validate.h"
 #include "core/quality/result_json.h"
+#include "core/search/limit.h"
 #include "core/study/measured_form.h"
 #include "core/study/operation.h"
-#include "tests/core/optimisation/search_checks.h"
+#include "core/surface/roundness.h"
+#include "tests/core/search/search_checks.h"
 #include "tests/registry.h"
 
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a run keeps of its passes for the requirements: held against a search through everything
 // that was recorded, with the formulas written a second time.
-#include "core/limits/burn.h"
 #include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
+#include "core/quality/power.h"
 #include "core/quality/roughness.h"
-#include "core/quality/self_sharpening.h"
 #include "core/simulation/stage_control.h"
+#include "core/surface/burn.h"
 
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/demanding_project.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The options of a run beyond independent sections on a rigid wheel: the wheel's contact in series,
 // in independent and in coupled sections, and the decay of a lobed blank.
-#include "core/form/harmonics.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/system_compliance.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
+#include "core/surface/harmonics.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"

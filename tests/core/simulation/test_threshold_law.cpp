@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A force with a threshold [MODEL-2, MODEL-3]: closed forms of lag, spark-out and rest, the balance
 // of every state, alone, with a wheel contact and coupled, and what is refused beside it.
-#include "core/limits/cutting.h"
 #include "core/process/compliance.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/force.h"
-#include "core/process/threshold_pass.h"
 #include "core/project/validate.h"
 #include "core/quality/power.h"
 #include "core/quality/shop_numbers.h"
 #include "core/quality/visit_sheet.h"
 #include "core/simulation/simulate.h"
+#include "core/surface/cutting.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/shaft_system.h"

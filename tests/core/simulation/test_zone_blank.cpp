@@ -5,7 +5,7 @@
 #include "core/phases/phase_decision.h"
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
-#include "tests/core/optimisation/search_checks.h"
+#include "tests/core/search/search_checks.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several sections in each zone of traverse grinding [MODEL-5].
-#include "core/process/ground_stretch.h"
+#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/traverse.h"
-#include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
 
 #include "tests/core/simulation/strokes_by_hand.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
 // The same cycle with coupled and with independent sections [MODEL-6].
-#include "core/study/coupling_comparison.h"
+#include "core/study/gauge_placement.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"

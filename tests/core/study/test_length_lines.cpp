@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles along the axis: zones, sections, limits and the shaft at their places.
-#include "core/study/length_lines.h"
+#include "core/study/profile_series.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
 

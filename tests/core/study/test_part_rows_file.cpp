@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of all parts of a batch: what it holds, and that there is none unless it is whole.
-#include "core/study/part_rows_file.h"
+#include "core/study/whole_batch.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"

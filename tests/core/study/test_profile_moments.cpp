@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles of a moment of the cycle, held against its visits.
-#include "core/study/length_lines.h"
+#include "core/study/profile_series.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
 

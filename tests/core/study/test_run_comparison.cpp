@@ -2,8 +2,8 @@
 // Runs held against each other: what they differ in is named by its place and nothing else is.
 #include "core/study/run_comparison.h"
 
+#include "core/batch/judgement.h"
 #include "core/digits.h"
-#include "core/judgement/judgement.h"
 #include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/part.h"

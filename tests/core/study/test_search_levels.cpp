@@ -3,11 +3,11 @@
 // A search whose levels follow its answer, and where an answer stands at the edge of its grid.
 #include "core/study/search_levels.h"
 
-#include "core/optimisation/levels.h"
+#include "core/search/grid.h"
 #include "core/study/new_project.h"
 #include "core/study/search.h"
 #include "core/study/search_edits.h"
-#include "tests/core/optimisation/search_cases.h"
+#include "tests/core/search/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 

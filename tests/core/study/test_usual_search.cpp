@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
 // A usual search about a project's cycle, and what its answer is good for.
-#include "core/study/usual_search.h"
+#include "core/study/search_edits.h"
 
 #include "core/batch/batch_run.h"
 #include "core/batch/scenario_source.h"
 #include "core/batch/usual_batch.h"
 #include "core/deadline_stop.h"
-#include "core/optimisation/grid.h"
-#include "core/optimisation/levels.h"
-#include "core/optimisation/variants.h"
-#include "core/phases/cycle_trial.h"
+#include "core/phases/sampled_phases.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -20,12 +17,14 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/search/grid.h"
+#include "core/search/variants.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "core/simulation/simulate.h"
-#include "core/starting/starting_project.h"
 #include "core/study/new_project.h"
 #include "core/study/search.h"
+#include "core/study/starting_project.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
@@ -213,7 +212,8 @@ private slots:
             QVERIFY2(finishesSlowly(usualSearch(*project), roughness),
                      QByteArray::number(qulonglong(i)));
             project->wheel->roughness_factor = 2; // calibrated: Ra itself decides
-            QVERIFY(!usualSearch(*project).optimisation->stage_axial_feed_mm_min);
+            const Project calibrated = usualSearch(*project);
+            QVERIFY(!calibrated.optimisation->stage_axial_feed_mm_min);
         }
         QVERIFY(drawn > 40);
     }
@@ -277,13 +277,14 @@ private slots:
         Project p = journal();
         p.cycle->stages = {p.cycle->stages.front()};
         p.part->stock_mm = p.cycle->stages.front().stock_mm = 0.001;
-        QVERIFY(usualSearch(p).optimisation->adaptive);
-        QCOMPARE(scenariosOf(usualSearch(p)), checkBatch(p).empty()
-                                                  ? OptimisationScenarios::corners
-                                                  : OptimisationScenarios::stocks);
+        const Project forBatch = usualSearch(p);
+        QVERIFY(forBatch.optimisation->adaptive);
+        QCOMPARE(scenariosOf(forBatch), checkBatch(p).empty() ? OptimisationScenarios::corners
+                                                              : OptimisationScenarios::stocks);
         p.batch.reset();
-        QVERIFY(usualSearch(p).optimisation->adaptive);
-        QCOMPARE(scenariosOf(usualSearch(p)), OptimisationScenarios::stocks);
+        const Project forStocks = usualSearch(p);
+        QVERIFY(forStocks.optimisation->adaptive);
+        QCOMPARE(scenariosOf(forStocks), OptimisationScenarios::stocks);
     }
 
     void everyExampleHasOne() {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -11,8 +11,8 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
-#include "core/remedies/remedies.h"
 #include "core/study/outcome.h"
+#include "core/study/remedies.h"
 #include "tests/core/support/random_project.h"
 
 #include <nlohmann/json.hpp>

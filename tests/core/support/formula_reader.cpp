@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/support/formula_reader.h"
 
-#include "core/limits/burn.h"
+#include "core/surface/burn.h"
 
 #include <charconv>
 #include <cmath>

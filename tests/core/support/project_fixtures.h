@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/process/profile.h"
 #include "core/simulation/simulate.h"
 #include "tests/whole_project.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/issue.h"
 #include "words/issue_words.h"
 

@@ -6,7 +6,7 @@
 #include "core/lesson/lesson.h"
 #include "core/setup/setup.h"
 #include "tests/registry.h"
-#include "ui/session/company.h"
+#include "ui/session/settings.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 

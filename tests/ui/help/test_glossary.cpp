@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The glossary against the translations and the help: one name for one thing.
-#include "ui/help/glossary.h"
+#include "ui/help/help_book.h"
 
 #include "tests/registry.h"
 #include "ui/text/language.h"

@@ -4,7 +4,6 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/help/tour.h"
-#include "ui/help/tour_balloon.h"
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/help_desk.h"
 

@@ -4,8 +4,8 @@
 #include "core/project/validate.h"
 #include "core/study/new_project.h"
 #include "tests/whole_project.h"
-#include "ui/fields/number_field.h"
-#include "ui/inputs/forms/form_row.h"
+#include "ui/form/number_field.h"
+#include "ui/inputs/form_row.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/document.h"
 

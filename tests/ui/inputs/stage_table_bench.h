@@ -3,8 +3,8 @@
 
 #include "core/project/cycle.h"
 #include "core/study/new_project.h"
-#include "ui/fields/number_field.h"
-#include "ui/inputs/forms/stage_table.h"
+#include "ui/form/number_field.h"
+#include "ui/inputs/stage_table.h"
 #include "ui/session/document.h"
 
 #include <QComboBox>

@@ -8,9 +8,9 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/fields/mark.h"
-#include "ui/fields/number_field.h"
-#include "ui/inputs/forms/factor_box.h"
+#include "ui/form/mark.h"
+#include "ui/form/number_field.h"
+#include "ui/inputs/factor_box.h"
 #include "ui/inputs/inputs_panel.h"
 
 #include <QApplication>

@@ -6,8 +6,8 @@
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
-#include "ui/fields/number_field.h"
-#include "ui/report/card/operation_card_report.h"
+#include "ui/form/number_field.h"
+#include "ui/report/operation_card_report.h"
 
 #include <QDate>
 #include <QLabel>

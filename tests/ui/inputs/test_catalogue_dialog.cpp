@@ -7,7 +7,7 @@
 #include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/whole_project.h"
-#include "ui/inputs/forms/catalogue_dialog.h"
+#include "ui/inputs/catalogue_bar.h"
 #include "ui/session/settings.h"
 
 #include <QDir>

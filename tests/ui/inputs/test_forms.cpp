@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/inputs_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/untitled.h"
-#include "ui/inputs/forms/compliance_box.h"
-#include "ui/inputs/forms/form_page.h"
+#include "ui/inputs/form_page.h"
+#include "ui/inputs/page_columns.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
@@ -44,7 +44,12 @@ void changeByHand(QWidget* widget, int places) {
         const bool rows = line->objectName().endsWith(QStringLiteral("/n_um_at_n"));
         const bool zones = line->objectName().contains(QStringLiteral("/zone_"))
                            || line->objectName().contains(QStringLiteral("/form/"));
+        const bool ends = line->objectName().endsWith(QStringLiteral("/wheel_width_mm"));
+        if (ends) {
+            line->selectAll();
+        }
         QTest::keyClicks(line, rows    ? QStringLiteral("0 50; 200 80")
+                               : ends  ? QStringLiteral("40; 80")
                                : zones ? QStringLiteral("0.001; ").repeated(places)
                                        : QStringLiteral("x"));
         QTest::keyClick(line, Qt::Key_Return);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the inputs say of themselves: hints, marks of changes, refused texts and undo.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/inputs_bench.h"
-#include "ui/fields/input_marks.h"
-#include "ui/inputs/forms/stage_table.h"
+#include "ui/form/input_marks.h"
+#include "ui/inputs/stage_table.h"
 #include "ui/text/field_text.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"

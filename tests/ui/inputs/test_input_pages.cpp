@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every input of a cycle is on a page of the form: the rows are printed, for tests/one_place.
 #include "tests/whole_project.h"
-#include "ui/inputs/forms/form_page.h"
-#include "ui/inputs/forms/form_row.h"
+#include "ui/inputs/form_page.h"
+#include "ui/inputs/form_row.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/theme.h"
 #include "ui/session/document.h"

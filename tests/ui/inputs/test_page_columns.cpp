@@ -3,9 +3,9 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/inputs/editors/form_metrics.h"
-#include "ui/inputs/forms/form_page.h"
-#include "ui/inputs/forms/form_row.h"
+#include "ui/inputs/form_metrics.h"
+#include "ui/inputs/form_page.h"
+#include "ui/inputs/form_row.h"
 #include "ui/session/document.h"
 
 #include <QLabel>

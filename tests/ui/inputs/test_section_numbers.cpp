@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Sections and parts are counted from 1 on screen and on paper, from 0 in the file.
-#include "core/format/project_file.h"
+#include "core/batch/sweep_run.h"
+#include "core/file/project_file.h"
 #include "core/project/validate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
-#include "core/sweep/sweep_run.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/untitled.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/charts/run_table.h"
-#include "ui/fields/number_field.h"
-#include "ui/inputs/forms/form_page.h"
-#include "ui/report/documents/cycle_card.h"
+#include "ui/form/number_field.h"
+#include "ui/inputs/form_page.h"
+#include "ui/report/cycle_card.h"
 #include "ui/report/format/report_text.h"
+#include "ui/results/run_table.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
-#include "ui/views/sweep/sweep_shown.h"
+#include "ui/views/study/sweep_shown.h"
 
 #include "tests/registry.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/inputs_bench.h"
-#include "ui/inputs/forms/list_table.h"
+#include "ui/inputs/list_table.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -6,7 +6,7 @@
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/inputs/forms/stage_model.h"
+#include "ui/inputs/stage_model.h"
 
 #include <QApplication>
 #include <QLocale>

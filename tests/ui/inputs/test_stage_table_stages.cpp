@@ -7,7 +7,7 @@
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
-#include "ui/inputs/forms/stage_model.h"
+#include "ui/inputs/stage_model.h"
 #include "ui/text/language.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The stiffness of a machine from the catalogue is offered, with its effect, not just taken.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/outcome.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Stock entered per side or on the diameter; the project keeps it per side.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
@@ -9,7 +9,7 @@
 #include "tests/ui/support/untitled.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
-#include "ui/inputs/forms/form_page.h"
+#include "ui/inputs/form_page.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"

@@ -6,9 +6,9 @@
 #include "tests/registry.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/on_disk.h"
+#include "ui/chart/svg_device.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/font_size.h"
-#include "ui/plot/svg_device.h"
 #include "ui/text/language.h"
 
 #include <QApplication>

@@ -2,12 +2,12 @@
 // The size of the type is one for the whole window; tools that have no room stand in lines.
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/inputs/forms/list_table.h"
-#include "ui/inputs/forms/stage_delegate.h"
-#include "ui/inputs/forms/stage_table.h"
+#include "ui/chart/view.h"
+#include "ui/inputs/list_table.h"
+#include "ui/inputs/stage_delegate.h"
+#include "ui/inputs/stage_table.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/tool_row.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QComboBox>

@@ -4,15 +4,14 @@
 #include "tests/registry.h"
 #include "tests/ui/support/typing.h"
 #include "tests/ui/support/window_bench.h"
-#include "tests/ui/views/feeds/feeds_bench.h"
-#include "ui/charts/light_icon.h"
-#include "ui/fields/mark.h"
-#include "ui/fields/number_field.h"
+#include "tests/ui/views/cycle/feeds_bench.h"
+#include "ui/chart/view.h"
+#include "ui/chart/view_plot.h"
+#include "ui/form/mark.h"
+#include "ui/form/number_field.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/theme_icon.h"
-#include "ui/plot/plot_style.h"
-#include "ui/plot/view.h"
-#include "ui/plot/view_plot.h"
+#include "ui/results/verdict_table.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
@@ -185,7 +184,8 @@ private slots:
     void theCurvesOfAPlotStayApartWithoutColour() {
         Bench bench(QStringLiteral("en"));
         const QStringList all = examplePaths();
-        const auto traverse = std::ranges::find(all, QStringLiteral("shaft-30h6-factory"), nameOf);
+        const auto traverse = std::ranges::find(all, QStringLiteral("shaft-30h6-factory"),
+                                                [](const QString& path) { return nameOf(path); });
         QVERIFY(traverse != all.end() && bench.open(*traverse));
         int lines = 0;
         for (const char* name : {"feeds", "profiles", "constraints", "compliance"}) {
@@ -213,7 +213,8 @@ private slots:
     void theCurvesOfTheFeedsAreAsInTheirLegend() {
         Bench bench(QStringLiteral("en"));
         const QStringList all = examplePaths();
-        const auto traverse = std::ranges::find(all, QStringLiteral("shaft-30h6-factory"), nameOf);
+        const auto traverse = std::ranges::find(all, QStringLiteral("shaft-30h6-factory"),
+                                                [](const QString& path) { return nameOf(path); });
         QVERIFY(traverse != all.end() && bench.open(*traverse));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         bench.settle();

@@ -4,9 +4,9 @@
 #include "tests/registry.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/inputs/editors/hint_strip.h"
+#include "ui/chart/view.h"
+#include "ui/inputs/hint_strip.h"
 #include "ui/kit/help_topic.h"
-#include "ui/plot/view.h"
 #include "ui/text/hint_text.h"
 #include "ui/window/view_tabs.h"
 

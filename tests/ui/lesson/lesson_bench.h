@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/work.h"
-#include "core/files/safe_file.h"
+#include "core/file/safe_file.h"
 #include "core/lesson/lesson_file.h"
-#include "tests/core/course/class_samples.h"
+#include "core/lesson/work.h"
+#include "tests/core/lesson/class_samples.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/fields/number_field.h"
+#include "ui/chart/view.h"
+#include "ui/form/number_field.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/lesson/answer_field.h"
 #include "ui/lesson/lesson_desk.h"
 #include "ui/lesson/lesson_panel.h"
-#include "ui/plot/view.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/view_tabs.h"
 

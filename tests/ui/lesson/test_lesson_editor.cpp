@@ -9,9 +9,9 @@
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/text_checks.h"
 #include "ui/kit/font_size.h"
-#include "ui/lesson/edit/lesson_editor.h"
-#include "ui/lesson/edit/variant_check_dialog.h"
+#include "ui/lesson/lesson_editor.h"
 #include "ui/lesson/lessons_dialog.h"
+#include "ui/lesson/variant_check_dialog.h"
 
 #include <QGroupBox>
 #include <QJsonDocument>

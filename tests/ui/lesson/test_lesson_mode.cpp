@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A laboratory work in the window, as a student does it: by mouse and keys, to full points.
-#include "core/course/grading.h"
-#include "core/course/work.h"
+#include "core/lesson/grading.h"
+#include "core/lesson/work.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
 #include "tests/ui/support/text_checks.h"
+#include "ui/chart/chart_plot.h"
+#include "ui/chart/plot_tools.h"
+#include "ui/chart/view_plot.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/notice_bar.h"
-#include "ui/dialogs/value_model.h"
-#include "ui/files/file_lock.h"
 #include "ui/kit/font_size.h"
+#include "ui/kit/pdf_details.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
-#include "ui/pdf/pdf_details.h"
-#include "ui/plot/chart_plot.h"
-#include "ui/plot/plot_tools.h"
-#include "ui/plot/view_plot.h"
-#include "ui/views/batch/batch_view.h"
-#include "ui/views/feeds/feeds_view.h"
+#include "ui/session/file_lock.h"
+#include "ui/views/cycle/feeds_view.h"
+#include "ui/views/study/batch_view.h"
 
 #include <QDir>
 #include <QMenu>
@@ -333,7 +333,11 @@ private slots:
         student.settle();
         const QString path = student.folder.filePath(QStringLiteral("drawing.pdf"));
         const DialogAnswers answers({QStringLiteral("file:") + path});
-        student.window.findChild<FeedsView*>()->tools()->pdf->trigger();
+        const auto tools = student.window.findChildren<PlotTools*>();
+        const auto drawn = std::ranges::find_if(
+            tools, [](const PlotTools* each) { return each->pdf->isEnabled(); });
+        QVERIFY(drawn != tools.end());
+        (*drawn)->pdf->trigger();
         QCOMPARE(answers.fault(), QString());
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));

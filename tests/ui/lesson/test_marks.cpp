@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Marking works in the window: the same as the command line's.
-#include "core/course/best_table.h"
-#include "core/course/grade_table.h"
+#include "core/lesson/best_table.h"
+#include "core/lesson/grading.h"
 #include "tests/registry.h"
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/dialog_answers.h"

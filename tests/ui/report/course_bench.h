@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/course/variant.h"
-#include "core/course/work.h"
 #include "core/lesson/goal_check.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/make_variants.h"
+#include "core/lesson/work.h"
 #include "core/project/cycle.h"
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
 #include "core/study/outcome.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
-#include "ui/report/course/course_papers.h"
-#include "ui/report/course/lab_report.h"
-#include "ui/report/course/worksheet.h"
+#include "ui/report/course_papers.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/format/report_text.h"
+#include "ui/report/lab_report.h"
+#include "ui/report/worksheet.h"
 #include "ui/text/language.h"
 
 #include <QDate>

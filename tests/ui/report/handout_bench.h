@@ -3,8 +3,8 @@
 
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/view_fixtures.h"
+#include "ui/report/course_handout.h"
 #include "ui/report/format/report_text.h"
-#include "ui/report/handout/course_handout.h"
 #include "ui/session/document.h"
 #include "ui/text/language.h"
 #include "ui/window/dialogs/examples_dialog.h"

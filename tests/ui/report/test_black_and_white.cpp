@@ -6,8 +6,8 @@
 #include "tests/ui/support/ink.h"
 #include "tests/ui/support/passport_bench.h"
 #include "tests/ui/support/setup_fixtures.h"
-#include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/pages.h"
+#include "ui/report/report_kinds.h"
 
 #include <QImage>
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Operation card and sketch sheet: what stands on the sheets, and that all of it has its room.
-#include "core/files/safe_file.h"
+#include "core/file/safe_file.h"
 #include "core/setup/setup_file.h"
 #include "core/units.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/logo_samples.h"
 #include "tests/ui/support/report_reading.h"
-#include "ui/report/card/card_sheets.h"
-#include "ui/report/card/operation_card_report.h"
-#include "ui/report/card/sketch_callout.h"
-#include "ui/report/card/sketch_sheet.h"
-#include "ui/report/documents/report_kinds.h"
+#include "ui/report/card_sheets.h"
 #include "ui/report/format/pages.h"
+#include "ui/report/operation_card_report.h"
+#include "ui/report/report_kinds.h"
+#include "ui/report/sketch_callout.h"
+#include "ui/report/sketch_sheet.h"
 #include "ui/text/number_text.h"
 
 #include <QFontMetricsF>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The papers of the course: their sections, their numbers held against the engine, what no student
 // may find in them, and their pages.
-#include "core/process/recipe_force.h"
+#include "core/process/force.h"
 #include "tests/registry.h"
 #include "tests/ui/report/course_bench.h"
 #include "tests/ui/report/handout_bench.h"
-#include "ui/report/course/lesson_markup.h"
 #include "ui/report/format/formula_writer.h"
+#include "ui/report/goal_words.h"
 #include "ui/text/names.h"
 
 #include <QRegularExpression>
@@ -493,6 +493,9 @@ private:
         QString equations;
         for (const auto& [label, formula] : asked) {
             equations += inOneLine(formula) + u'\n';
+        }
+        for (const auto& [label, formula] : answered) {
+            QVERIFY2(asked.contains(label), qPrintable(label));
         }
         QCOMPARE(asked.size(), answered.size());
         for (const auto& [label, formula] : answered) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The questions of the course hand-out, run again, and the page of their answers.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/report_reading.h"
+#include "ui/report/exercises.h"
 #include "ui/report/format/pages.h"
-#include "ui/report/handout/exercises.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The formats of the course hand-out, read back: pages, a web page, Markdown; languages, figures.
-#include "core/dynamic_programming/exact_answer.h"
-#include "core/dynamic_programming/state_grid.h"
+#include "core/search/state_grid.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/report_reading.h"
-#include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/report/format/formula_writer.h"
 #include "ui/report/format/pages.h"
 #include "ui/text/texts.h"
+#include "ui/views/study/state_grid_text.h"
 
 #include <QRegularExpression>
 

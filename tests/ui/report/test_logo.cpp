@@ -3,7 +3,7 @@
 // to.
 #include "tests/registry.h"
 #include "tests/ui/support/logo_samples.h"
-#include "ui/report/card/logo.h"
+#include "ui/report/logo.h"
 
 #include <QLocale>
 

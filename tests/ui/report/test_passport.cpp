@@ -2,11 +2,10 @@
 // Labels: numbers
 // The accuracy passport: its numbers and verdict are those of the engine's own batch, and what it
 // prints is enough to compute them again.
-#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_statistics.h"
 #include "core/batch/scenario_source.h"
-#include "core/identification/hold_out.h"
-#include "core/project/leaves.h"
+#include "core/measured/adequacy.h"
+#include "core/measured/hold_out.h"
 #include "core/project/member.h"
 #include "core/setup/setup_file.h"
 #include "core/study/batch_edits.h"
@@ -14,9 +13,9 @@
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "tests/ui/support/traced_project.h"
+#include "ui/kit/pdf_details.h"
 #include "ui/measured/measured_text.h"
-#include "ui/pdf/pdf_details.h"
-#include "ui/report/documents/cycle_card.h"
+#include "ui/report/cycle_card.h"
 #include "ui/session/project_io.h"
 #include "ui/text/dressing_text.h"
 #include "ui/text/field_text.h"
@@ -24,7 +23,7 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
-#include "ui/views/batch/batch_text.h"
+#include "ui/views/study/batch_text.h"
 
 #include <array>
 #include <cmath>

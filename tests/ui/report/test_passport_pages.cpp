@@ -6,8 +6,8 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/passport_bench.h"
-#include "ui/report/documents/report_kinds.h"
-#include "ui/views/batch/batch_text.h"
+#include "ui/report/report_kinds.h"
+#include "ui/views/study/batch_text.h"
 
 #include <QRegularExpression>
 

@@ -11,11 +11,11 @@
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/dialogs/notice_bar.h"
-#include "ui/report/course/paper_writer.h"
-#include "ui/report/documents/batch_wait.h"
-#include "ui/views/batch/batch_text.h"
-#include "ui/views/batch/batch_view.h"
+#include "ui/report/paper_writer.h"
+#include "ui/views/study/batch_text.h"
+#include "ui/views/study/batch_view.h"
 #include "ui/window/dialogs/company_dialog.h"
+#include "ui/window/dialogs/report_commands.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>

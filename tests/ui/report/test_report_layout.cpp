@@ -5,10 +5,10 @@
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/ink.h"
 #include "tests/ui/support/passport_bench.h"
-#include "ui/report/documents/report_kinds.h"
+#include "ui/report/cell_text.h"
 #include "ui/report/format/pages.h"
-#include "ui/report/parts/cell_text.h"
-#include "ui/report/parts/run_figures.h"
+#include "ui/report/report_kinds.h"
+#include "ui/report/run_figures.h"
 #include "ui/text/number_text.h"
 
 #include <QPaintDevice>

@@ -6,15 +6,15 @@
 #include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
-#include "ui/charts/result_tables.h"
-#include "ui/report/documents/cycle_card.h"
-#include "ui/report/documents/passport.h"
-#include "ui/report/documents/passport_sections.h"
-#include "ui/report/parts/cell_text.h"
+#include "ui/report/cell_text.h"
+#include "ui/report/cycle_card.h"
+#include "ui/report/passport.h"
+#include "ui/report/passport_sections.h"
+#include "ui/results/result_tables.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
-#include "ui/views/batch/batch_text.h"
-#include "ui/views/profiles/profiles_text.h"
+#include "ui/views/part/profiles_text.h"
+#include "ui/views/study/batch_text.h"
 
 #include <iterator>
 #include <string_view>

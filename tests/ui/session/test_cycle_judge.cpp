@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the cycle in front stands: its stocks with the run or after it, its batch a little later.
-#include "core/adequacy/prediction.h"
+#include "core/measured/adequacy.h"
 #include "core/project/measured.h"
 #include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
-#include "ui/session/cycle_judge.h"
+#include "ui/session/run_controller.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/wheel.h"
 #include "core/quality/roughness.h"

@@ -3,7 +3,7 @@
 #include "tests/whole_project.h"
 #include "ui/session/kept_runs.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/new_project.h"
 #include "core/study/outcome.h"
 #include "tests/registry.h"

@@ -8,11 +8,11 @@
 #include "ui/text/field_text.h"
 #include "ui/text/texts.h"
 
-#include "core/format/project_file.h"
-#include "core/optimisation/levels.h"
-#include "core/optimisation/optimise.h"
+#include "core/file/project_file.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
+#include "core/search/grid.h"
+#include "core/search/optimise.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/registry.h"

@@ -6,8 +6,6 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/session/program_log.h"
 #include "ui/window/dialogs/about_dialog.h"
-#include "ui/window/dialogs/licences_dialog.h"
-#include "ui/window/dialogs/log_dialog.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>

@@ -2,7 +2,6 @@
 // Searches beside the window: the answer is the engine's, a stop keeps the best and its bound, the
 // newest wins.
 #include "core/batch/scenario_source.h"
-#include "core/optimisation/limit.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -11,6 +10,7 @@
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/quality/constraints.h"
+#include "core/search/limit.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search_edits.h"
 #include "core/study/search_outputs.h"

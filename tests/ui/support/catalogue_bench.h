@@ -3,8 +3,8 @@
 
 #include "core/study/new_project.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/files/catalogue_store.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/session/catalogue_store.h"
 
 #include <QPushButton>
 #include <QTest>

@@ -2,7 +2,7 @@
 // Projects and edits that are told apart by the diameter of the part.
 #pragma once
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/new_project.h"
 #include "tests/whole_project.h"
 #include "ui/session/document.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/diameters.h"
 #include "tests/ui/support/file_trouble.h"
-#include "ui/files/file_guard.h"
 #include "ui/session/document.h"
+#include "ui/session/file_guard.h"
 
 #include <QFileInfo>
 #include <QTemporaryDir>

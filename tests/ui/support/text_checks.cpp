@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/text_checks.h"
 
-#include "ui/plot/legend.h"
+#include "ui/chart/legend.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

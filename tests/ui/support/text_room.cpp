@@ -2,8 +2,8 @@
 // Whether visible texts have room.
 #include "tests/ui/support/text_checks.h"
 
-#include "ui/inputs/forms/column_header.h"
-#include "ui/plot/legend.h"
+#include "ui/chart/legend.h"
+#include "ui/inputs/column_header.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

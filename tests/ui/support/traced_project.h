@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/core/identification/measured_cycles.h"
+#include "tests/core/measured/measured_cycles.h"
 
 /// A plunge whose cycle was recorded at a machine that yields more and whose wheel is sharper.
 namespace sparkout::traced {

@@ -4,7 +4,7 @@
 
 #include "core/study/outcome.h"
 #include "tests/two_stage_projects.h"
-#include "ui/plot/view.h"
+#include "ui/chart/view.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/dialogs/value_model.h"
-#include "ui/views/verdict/verdict_panel.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/views/requirements/verdict_panel.h"
 
 #include <QLabel>
 #include <QTableView>

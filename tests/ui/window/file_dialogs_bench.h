@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"

@@ -2,7 +2,7 @@
 #include "tests/ui/window/long_project.h"
 #include "tests/whole_project.h"
 
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 

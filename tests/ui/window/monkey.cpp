@@ -3,8 +3,8 @@
 
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
+#include "ui/chart/view.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAction>

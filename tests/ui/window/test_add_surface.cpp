@@ -5,8 +5,8 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/untitled.h"
-#include "ui/part/add_surface_dialog.h"
 #include "ui/session/surface_edits.h"
+#include "ui/window/dialogs/add_surface_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

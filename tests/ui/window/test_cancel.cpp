@@ -6,8 +6,8 @@
 // 40 of batches and searches, 60 of the others). Prints the worst; fails only at four times the
 // target.
 #include "core/batch/batch_run.h"
-#include "core/format/project_file.h"
-#include "core/optimisation/optimise.h"
+#include "core/file/project_file.h"
+#include "core/search/optimise.h"
 #include "tests/check_line.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"

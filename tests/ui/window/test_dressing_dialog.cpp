@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The parts between dressings in the window: what it says is what the engine finds.
-#include "core/dressing/dressing_interval.h"
+#include "core/setup/dressing_interval.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/part/dressing_dialog.h"
 #include "ui/text/dressing_text.h"
+#include "ui/window/dialogs/dressing_dialog.h"
 
 #include <QAction>
 #include <QComboBox>

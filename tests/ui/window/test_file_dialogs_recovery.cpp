@@ -3,7 +3,7 @@
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/notice_bar.h"
-#include "ui/fields/number_field.h"
+#include "ui/form/number_field.h"
 #include "ui/inputs/inputs_panel.h"
 
 #include <QRegularExpression>

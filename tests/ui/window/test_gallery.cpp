@@ -5,7 +5,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/plot/view.h"
+#include "ui/chart/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDir>

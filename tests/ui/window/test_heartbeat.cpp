@@ -4,7 +4,7 @@
 // projects opened. Prints the worst gap, and the worst that comes back at its time when the same is
 // done again: that one is the window's own. Fails only at four times the target, so that a busy
 // machine does not turn it red.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "tests/check_line.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
@@ -15,9 +15,9 @@
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
 #include "tests/whole_project.h"
+#include "ui/chart/view.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/plot/view.h"
-#include "ui/views/batch/batch_view.h"
+#include "ui/views/study/batch_view.h"
 #include "ui/window/playback_bar.h"
 
 #include <QAction>

@@ -6,7 +6,7 @@
 #include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
-#include "ui/plot/view.h"
+#include "ui/chart/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDir>

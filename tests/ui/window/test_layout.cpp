@@ -5,10 +5,10 @@
 #include "tests/ui/support/examples.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/chart/view.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/sealed_state.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAction>

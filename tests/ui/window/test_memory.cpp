@@ -4,8 +4,8 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/plot/chart_plot.h"
-#include "ui/plot/view.h"
+#include "ui/chart/chart_plot.h"
+#include "ui/chart/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAbstractAnimation>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What would help, beneath the verdict: offered after a run, taken by a click, undone.
-#include "core/format/project_file.h"
+#include "core/file/project_file.h"
 #include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/support/examples.h"
@@ -9,7 +9,7 @@
 #include "tests/whole_project.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/remedy_finder.h"
-#include "ui/views/verdict/verdict_sections.h"
+#include "ui/views/requirements/verdict_sections.h"
 
 #include <QAction>
 #include <QLabel>

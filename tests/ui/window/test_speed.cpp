@@ -2,17 +2,17 @@
 // Labels: measures
 // How fast the window answers. Prints its figures; fails only at four times the target, so that a
 // busy machine does not turn it red.
-#include "core/judgement/judgement.h"
+#include "core/batch/judgement.h"
 #include "core/project/cycle.h"
 #include "core/setup/worn_project.h"
 #include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
-#include "ui/fields/number_field.h"
-#include "ui/fields/value_slider.h"
-#include "ui/inputs/forms/stage_table.h"
-#include "ui/session/cycle_judge.h"
-#include "ui/views/feeds/feeds_view.h"
-#include "ui/views/verdict/verdict_panel.h"
+#include "ui/form/number_field.h"
+#include "ui/form/value_slider.h"
+#include "ui/inputs/stage_table.h"
+#include "ui/session/run_controller.h"
+#include "ui/views/cycle/feeds_view.h"
+#include "ui/views/requirements/verdict_panel.h"
 #include "ui/window/main_window.h"
 
 #include "tests/check_line.h"

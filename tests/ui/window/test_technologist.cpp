@@ -3,12 +3,12 @@
 // passport and the operation card. Each cycle that the window offers on the way is judged for every
 // stock and by 500 fresh parts of its batch. One line a surface is printed. Pictures of the stages
 // are kept where SPARKOUT_HOUR_PICTURES names a folder.
+#include "core/batch/judgement.h"
 #include "core/batch/scenario_source.h"
-#include "core/judgement/judgement.h"
-#include "core/optimisation/robust.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/part.h"
+#include "core/search/robust.h"
 #include "core/setup/worn_project.h"
 #include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
@@ -17,14 +17,14 @@
 #include "tests/ui/support/hand.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/fields/number_field.h"
+#include "ui/form/number_field.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/part/part_drawing.h"
-#include "ui/part/part_strip.h"
-#include "ui/part/part_window.h"
-#include "ui/session/cycle_judge.h"
 #include "ui/session/part_runs.h"
-#include "ui/window/window_head.h"
+#include "ui/session/run_controller.h"
+#include "ui/window/actions.h"
+#include "ui/window/dialogs/part_drawing.h"
+#include "ui/window/dialogs/part_strip.h"
+#include "ui/window/dialogs/part_window.h"
 
 #include <QAction>
 #include <QComboBox>

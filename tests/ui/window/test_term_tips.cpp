@@ -3,7 +3,7 @@
 #include "core/field.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/help/glossary.h"
+#include "ui/help/help_book.h"
 #include "ui/inputs/inputs_panel.h"
 
 #include <QAbstractItemModel>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/formula_node.h"
 
-#include "core/limits/burn.h"
+#include "core/surface/burn.h"
 
 #include <QStringList>
 

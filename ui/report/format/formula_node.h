@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/limits/formula.h"
+#include "core/surface/formula.h"
 
 #include <QString>
 

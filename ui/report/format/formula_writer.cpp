@@ -148,15 +148,16 @@ Formula equation(const FormulaStep& step, const LeftOut& leftOut) {
 std::vector<Block> FormulaWriter::write(const FormulaSheet& sheet) {
     std::vector<Block> blocks;
     for (const FormulaStep& step : sheet.steps) {
-        Formula formula = m_leftOut ? equation(step, *m_leftOut) : equation(step);
-        QString key;
-        for (const FormulaNode& side : formula.sides) {
+        const Formula numbered = equation(step);
+        QString key; // of the numbers, so that question and key have the same equations
+        for (const FormulaNode& side : numbered.sides) {
             key += inOneLine(side) + u'=';
         }
         if (m_written.contains(key)) {
             continue;
         }
         m_written.insert(key);
+        Formula formula = m_leftOut ? equation(step, *m_leftOut) : numbered;
         formula.label = QStringLiteral("(%1)").arg(++m_count);
         blocks.emplace_back(std::move(formula));
     }

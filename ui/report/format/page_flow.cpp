@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/page_flow.h"
 
+#include "ui/report/format/form_sheet.h"
 #include "ui/report/format/formula_writer.h"
-#include "ui/report/format/text_box.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -711,10 +711,6 @@ std::vector<std::vector<FormulaBox>> formulaLines(const Formula& formula, double
     }
     return lines;
 }
-
-} // namespace
-
-namespace {
 
 /// A line of an equation with its size, compressed if it is too wide.
 struct FormulaLine {

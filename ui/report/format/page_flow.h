@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/format/form_sheet.h"
 #include "ui/report/format/pages.h"
-#include "ui/report/format/text_box.h"
 
 #include <QColor>
 #include <QFont>

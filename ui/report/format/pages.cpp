@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/pages.h"
 
-#include "ui/pdf/pdf_details.h"
+#include "ui/kit/pdf_details.h"
 #include "ui/report/format/form_sheet.h"
 #include "ui/report/format/page_flow.h"
 
@@ -207,6 +207,7 @@ bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int la
     }
     return painter.end();
 }
+
 } // namespace
 
 Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing) {

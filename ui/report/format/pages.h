@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/pdf/pdf_structure.h"
+#include "ui/kit/pdf_details.h"
+#include "ui/report/format/form_sheet.h"
 #include "ui/report/format/report.h"
-#include "ui/report/format/text_box.h"
-#include "ui/tables/sheet.h"
+#include "ui/table/sheet.h"
 
 #include <QByteArray>
 #include <QMarginsF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/report_text.h"
 
-#include "ui/plot/svg_device.h"
+#include "ui/chart/svg_device.h"
 #include "ui/report/format/formula_writer.h"
 #include "ui/report/format/odt.h"
 #include "ui/report/format/pages.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/report/format/report.h"
-#include "ui/tables/sheet.h"
+#include "ui/table/sheet.h"
 
 #include <QByteArray>
 

@@ -6,22 +6,187 @@
 #include "core/workbook/zip_writer.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/window/dialogs/licences_dialog.h"
+#include "ui/session/program_log.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
+#include <QFile>
+#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QIcon>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSysInfo>
 #include <QVBoxLayout>
-
 #include <qcustomplot.h>
 #include <qpdf/DLL.h>
 
 namespace sparkout {
+
+namespace {
+
+constexpr int gathering_ms = 200;
+
+QString kindOf(QtMsgType type) {
+    switch (type) {
+    case QtDebugMsg:
+    case QtInfoMsg: break;
+    case QtWarningMsg: return LogDialog::tr("warning: ");
+    case QtCriticalMsg:
+    case QtFatalMsg: return LogDialog::tr("error: ");
+    }
+    return {};
+}
+
+} // namespace
+
+LogDialog::LogDialog(const ProgramLog* log, QWidget* parent)
+    : QDialog(parent), m_log(log), m_text(new QPlainTextEdit(this)) {
+    setHelpTopic(*this, QStringLiteral("look#log"));
+    m_text->setObjectName(QStringLiteral("logText"));
+    m_text->setReadOnly(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* buttons = new QDialogButtonBox(this);
+    m_copy = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
+    m_copy->setObjectName(QStringLiteral("copyLog"));
+    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
+    connect(m_copy, &QPushButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(text()); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(buttons);
+    resize(720, 400);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(gathering_ms);
+    connect(&m_pause, &QTimer::timeout, this, &LogDialog::fill);
+    if (m_log) {
+        connect(
+            m_log, &ProgramLog::changed, this, [this] { m_pause.start(); }, Qt::QueuedConnection);
+    }
+    retranslate();
+}
+
+void LogDialog::retranslate() {
+    setWindowTitle(tr("Log of this session"));
+    m_text->setAccessibleName(windowTitle());
+    m_copy->setText(tr("C&opy"));
+    m_close->setText(tr("C&lose"));
+    fill();
+}
+
+void LogDialog::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+QString LogDialog::text() const {
+    return m_text->toPlainText();
+}
+
+void LogDialog::fill() {
+    QStringList lines;
+    if (m_log) {
+        if (const long long dropped = m_log->dropped(); dropped > 0) {
+            lines += tr("%1 earlier lines are no longer kept.").arg(dropped);
+        }
+        for (const LogLine& line : m_log->lines()) {
+            lines +=
+                line.when.toString(QStringLiteral("HH:mm:ss ")) + kindOf(line.type) + line.text;
+        }
+    }
+    m_text->setPlainText(lines.isEmpty() ? tr("Nothing was reported.") : lines.join(u'\n'));
+    m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
+}
+
+namespace {
+
+QByteArray resource(const QString& name) {
+    QFile file(QStringLiteral(":/licences/") + name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// The files of a licence: the additions of the LGPL come before the GPL.
+QStringList filesOf(QString licence) {
+    licence.remove(QStringLiteral("-only")).remove(QStringLiteral("-or-later"));
+    const QString file = licence + QStringLiteral(".txt");
+    return licence == u"LGPL-3.0" ? QStringList{file, QStringLiteral("GPL-3.0.txt")}
+                                  : QStringList{file};
+}
+
+} // namespace
+
+LicencesDialog::LicencesDialog(QWidget* parent) : QDialog(parent) {
+    setHelpTopic(*this, QStringLiteral("look#about"));
+    setWindowTitle(tr("Licences"));
+    auto* list = new QListWidget(this);
+    list->setObjectName(QStringLiteral("components"));
+    list->setAccessibleName(tr("Components"));
+    auto* text = new QPlainTextEdit(this);
+    text->setObjectName(QStringLiteral("licenceText"));
+    text->setAccessibleName(tr("Licence"));
+    text->setReadOnly(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    const std::vector<Component> all = components();
+    for (const Component& each : all) {
+        list->addItem(each.name);
+    }
+    connect(list, &QListWidget::currentRowChanged, this, [text, all](int row) {
+        const Component& each = all[static_cast<std::size_t>(row)];
+        text->setPlainText(
+            QStringLiteral("%1\n© %2\n%3\n\n%4")
+                .arg(each.name, each.copyright, each.licence, textsOf(each.licence)));
+    });
+    list->setCurrentRow(0);
+    auto* buttons = new QDialogButtonBox(this);
+    buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* body = new QHBoxLayout;
+    body->addWidget(list, 1);
+    body->addWidget(text, 3);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(body, 1);
+    layout->addWidget(buttons);
+    resize(880, 520);
+}
+
+std::vector<LicencesDialog::Component> LicencesDialog::components() {
+    std::vector<Component> all{{QStringLiteral("Sparkout"), QStringLiteral("GPL-3.0-or-later"),
+                                QStringLiteral("2026 Sparkout maintainers")}};
+    const QJsonArray rows =
+        QJsonDocument::fromJson(resource(QStringLiteral("components.json"))).array();
+    for (const auto& row : rows) {
+        const QJsonObject object = row.toObject();
+        all.push_back({object.value(QStringLiteral("name")).toString(),
+                       object.value(QStringLiteral("licence")).toString(),
+                       object.value(QStringLiteral("copyright")).toString()});
+    }
+    return all;
+}
+
+QString LicencesDialog::textsOf(const QString& expression) {
+    QStringList texts;
+    for (const QString& licence : expression.split(QStringLiteral(" AND "))) {
+        for (const QString& file : filesOf(licence)) {
+            texts += QString::fromUtf8(resource(file));
+            if (texts.last().isEmpty()) {
+                return {};
+            }
+        }
+    }
+    return texts.join(QStringLiteral("\n\n"));
+}
 
 AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     setHelpTopic(*this, QStringLiteral("look#about"));

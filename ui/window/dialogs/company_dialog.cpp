@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dialogs/company_dialog.h"
 
-#include "core/files/safe_file.h"
+#include "core/file/safe_file.h"
 #include "ui/form/struct_form.h"
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/file_dialog.h"
+#include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
-#include "ui/report/card/logo.h"
+#include "ui/report/logo.h"
 #include "ui/session/project_io.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
@@ -21,6 +22,34 @@
 #include <variant>
 
 namespace sparkout {
+
+namespace {
+
+constexpr int titlePageWidth = 640;
+
+} // namespace
+
+TitlePageDialog::TitlePageDialog(Settings& settings, QWidget* parent)
+    : QDialog(parent)
+    , m_settings(settings)
+    , m_page(report::Institution::fromKept(settings.titlePage())) {
+    setWindowTitle(tr("Title page of laboratory reports"));
+    setHelpTopic(*this, QStringLiteral("reports#course"));
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(plainLabel(tr("Printed on the title pages of the reports on laboratory "
+                                    "works. All of it may be empty."),
+                                 this));
+    layout->addWidget(StructForm::over(m_page, this));
+    auto* buttons = new AnswerButtons(tr("&Keep"), tr("Cance&l"), this);
+    buttons->acceptButton()->setObjectName(QStringLiteral("keepTitlePage"));
+    layout->addWidget(buttons);
+    resize(atFontSize(titlePageWidth), sizeHint().height());
+}
+
+void TitlePageDialog::accept() {
+    m_settings.setTitlePage(m_page.kept());
+    QDialog::accept();
+}
 
 namespace {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/company.h"
+#include "ui/report/paper_writer.h"
+#include "ui/session/settings.h"
 
 #include <QDialog>
 
@@ -9,6 +10,23 @@ class QLabel;
 class QPushButton;
 
 namespace sparkout {
+
+class Settings;
+
+/// Edits the data of title pages of laboratory reports: ministry, university, department, teacher,
+/// town. Kept in the settings for all works.
+class TitlePageDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    TitlePageDialog(Settings& settings, QWidget* parent);
+
+    void accept() override; ///< saves it
+
+private:
+    Settings& m_settings;
+    report::Institution m_page;
+};
 
 class Settings;
 

@@ -4,16 +4,16 @@
 #include "core/setup/setup_run.h"
 #include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
-#include "ui/charts/verdict_table.h"
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/part/part_drawing.h"
+#include "ui/results/verdict_table.h"
 #include "ui/session/document.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/judgement_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
+#include "ui/window/dialogs/part_drawing.h"
 
 #include <QFile>
 #include <QHBoxLayout>

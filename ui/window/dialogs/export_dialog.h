@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/export/export_file.h"
-#include "ui/export/study_book.h"
+#include "ui/report/export_file.h"
+#include "ui/report/study_book.h"
 
 #include <QDialog>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/course/course_papers.h"
-#include "ui/report/handout/course_handout.h"
+#include "ui/report/course_handout.h"
+#include "ui/report/course_papers.h"
 
 #include <QDialog>
 
