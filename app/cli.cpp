@@ -80,13 +80,17 @@ JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const manual
     std::optional<JudgedBatch> batch;
     std::optional<MeasuredBias> measured;
     int status = done;
-    if (given.has("--batch") && project.batch && run.isCompleted()) {
-        const BatchResult result = watchedBatch(project);
-        if (result.status == BatchStatus::refused) {
-            printIssues(name, result.issues);
-            status = refused;
-        } else if (caughtSignal() == 0) {
-            batch = judgeBatch(result, summarise(result));
+    if (given.has("--batch") && run.isCompleted()) {
+        if (project.batch) {
+            const BatchResult result = watchedBatch(project);
+            if (result.status == BatchStatus::refused) {
+                printIssues(name, result.issues);
+                status = refused;
+            } else if (caughtSignal() == 0) {
+                batch = judgeBatch(result, summarise(result));
+            }
+        }
+        if (status == done && caughtSignal() == 0) {
             measured = biasOfMeasured(project);
         }
         if (caughtSignal() != 0) {

@@ -7982,7 +7982,7 @@ With another name both versions stay as they are.</source>
         <name>LawsNotice</name>
         <message>
             <source>Distributions of the batch follow this edit: %1.</source>
-            <translation>Распределения партии сдвинуты вслед за правкой: %1.</translation>
+            <translation>Распределения партии изменены вслед за правкой: %1.</translation>
         </message>
     </context>
     <context>

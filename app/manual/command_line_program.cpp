@@ -40,8 +40,10 @@ Command simulateCommand() {
              check({"exit status 4 when a requirement is not met",
                     "код завершения 4, если требование нарушено"}),
              {.name = "--batch",
-              .text = {"runs the batch of the project, too, and judges the cycle for it",
-                       "рассчитывает и партию проекта и говорит, годен ли цикл для неё"}},
+              .text = {"runs the batch of the project, too, and judges the cycle for it and by the "
+                       "measured parts of the project, if there are any",
+                       "рассчитывает и партию проекта и говорит, годен ли цикл для неё и по "
+                       "измеренным деталям проекта, если они есть"}},
              {.name = "--trace",
               .value = file("OUT.csv"),
               .text = {"writes a row for every visit of a radius",

@@ -203,7 +203,7 @@ JudgedBatch judgeBatch(const BatchResult& result, const BatchSummary& summary) {
 
 Judgement judge(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
                 std::optional<JudgedStocks> stocks, std::optional<JudgedBatch> batch,
-                std::optional<MeasuredBias> measured) {
+                std::optional<MeasuredBias> measured, bool countsBatch) {
     Judgement judgement;
     judgement.measured = measured;
     judgement.status = result.status;
@@ -223,7 +223,7 @@ Judgement judge(const SimulationResult& result, const std::vector<ConstraintResu
                      {*judgement.stocks->failsIfEven, UndecidedReason::machineNotKnown,
                       "/machine/form/lobes"});
     }
-    const bool hasBatch = result.project.batch || judgement.batch;
+    const bool hasBatch = (countsBatch && result.project.batch) || judgement.batch;
     judgement.state = stateOf(judgement, fails, hasBatch);
     return judgement;
 }

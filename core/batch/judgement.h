@@ -141,11 +141,12 @@ struct Judgement {
 };
 
 /// Judges a run by its requirements and, where given, its stocks, its batch and measured parts.
+/// Unless the project's batch counts, as in a laboratory work, it is not missed.
 [[nodiscard]] Judgement judge(const SimulationResult& result,
                               const std::vector<ConstraintResult>& constraints,
                               std::optional<JudgedStocks> stocks = {},
                               std::optional<JudgedBatch> batch = {},
-                              std::optional<MeasuredBias> measured = {});
+                              std::optional<MeasuredBias> measured = {}, bool countsBatch = true);
 
 /// Returns the judgement of a cycle together with its batch, which was run later.
 [[nodiscard]] Judgement judgedWith(Judgement judgement, const JudgedBatch& batch);

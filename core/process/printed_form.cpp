@@ -142,10 +142,6 @@ double printedRunout_mm(const PrintedForm& form) {
     return form.lobe_mm == 0 ? 2 * form.eccentricity_mm : Waves(form.lobes).runout_mm(form);
 }
 
-double meanPrintedRunout_mm(const PrintedForm& form) {
-    return form.lobe_mm == 0 ? 2 * form.eccentricity_mm : Waves(form.lobes).mean_mm(form);
-}
-
 Project withEvenLobes(Project project) {
     project.machine->form->lobes = evenLobes;
     return project;

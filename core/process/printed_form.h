@@ -27,9 +27,8 @@ struct PrintedForm {
     [[nodiscard]] double most_mm() const { return 2 * (eccentricity_mm + lobe_mm); }
 };
 
-/// Runout max c − min c of A_1 and A_j, and its mean over all φ_1.
+/// Runout max c − min c of A_1 and A_j.
 [[nodiscard]] double printedRunout_mm(const PrintedForm& form);
-[[nodiscard]] double meanPrintedRunout_mm(const PrintedForm& form);
 
 /// The project with an even number of lobes.
 [[nodiscard]] Project withEvenLobes(Project project);

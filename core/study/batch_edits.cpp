@@ -311,7 +311,8 @@ std::vector<FactorKind> moveLaws(Project& changed, const Project& present, const
             || !isSameLaw(law, lawOf(std::as_const(*changed.batch), factor.kind))) {
             continue;
         }
-        Factor made = lawMoved(*lawOf(*base.batch, factor.kind), factor, *before, *after);
+        const Factor& given = *lawOf(*base.batch, factor.kind);
+        Factor made = *before == *after ? given : lawMoved(given, factor, *before, *after);
         if (!isSameLaw(made, law)) {
             lawOf(*changed.batch, factor.kind) = std::move(made);
             moved.push_back(factor.kind);

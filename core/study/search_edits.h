@@ -13,9 +13,8 @@ namespace sparkout {
 /// steps of the machine, and the feeds of the cycle, which no answer is slower than where it is fit
 /// itself and within the limits below.
 ///
-/// * Plunge: roughing from half its current feed to Q'_w = 2 mm³/(mm·s) and 1.2 mm/min, for
-/// unhardened
-///   steel and iron 3 and 1.6, in a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or
+/// * Plunge: roughing from half its current feed to Q'_w = 2 mm³/(mm·s) and 1.2 mm/min (unhardened
+///   steel and iron 3 and 1.6), in a bore half of that Q'_w; finishing from 0.05 to 0.08, 0.125 or
 ///   0.16 mm/min by the required roughness.
 /// * Traverse: roughing from 0.5 to 1.6 of its current infeed, at most 25 µm, finishing from 0.6 to
 ///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.

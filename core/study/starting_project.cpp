@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -263,7 +264,9 @@ const WheelEntry& usualWheel(const StartingDrawing& drawing, const Machine& mach
                              const Material& material) {
     const std::vector<WheelEntry>& wheels = shippedEntries<WheelEntry>();
     if (drawing.surface == Surface::internal) {
-        const double most_mm = starting::widestBoreWheel * drawing.diameter_mm;
+        const double most_mm = std::min(
+            starting::widestBoreWheel * drawing.diameter_mm,
+            machine.limits.wheel_diameter_mm.value_or(std::numeric_limits<double>::infinity()));
         const auto fit_mm = [most_mm](const WheelEntry& entry) {
             const double diameter_mm = entry.value.diameter_mm;
             return diameter_mm <= most_mm ? diameter_mm : -diameter_mm;

@@ -10,7 +10,6 @@
 #include <vector>
 
 class QAbstractAxis;
-class QAbstractBarSeries;
 class QAbstractSeries;
 class QChart;
 class QPainter;

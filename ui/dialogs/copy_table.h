@@ -53,8 +53,6 @@ private:
     bool m_grey = false;
 };
 
-class ValueModel;
-
 /// A read-only table on a scrolling page, without grid or vertical scroll bar. Its selected rows
 /// are copied with Ctrl+C, the whole with its heads with Ctrl+Shift+C or, where no row is selected,
 /// with Ctrl+C, too; the context menu does both and saves the table as a file.

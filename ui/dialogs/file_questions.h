@@ -19,8 +19,6 @@ class QWidget;
 /// The questions and messages about files. Each names the file; Escape always means "change
 /// nothing", and the default button loses no work.
 
-class QWidget;
-
 namespace sparkout {
 
 /// The faults of a refused or opened file: every fault with its place in words, its path in the
@@ -89,7 +87,6 @@ enum class FailureAnswer { again, elsewhere, cancel };
 /// A text about a file that cannot be locked, because another object has the lock's name.
 [[nodiscard]] QString strangeLockText(const QString& strange);
 
-class DiskWait;
 class GuardedFile;
 
 /// The questions before opening or writing a guarded file of any kind.

@@ -16,8 +16,6 @@
 
 class QWidget;
 
-class QWidget;
-
 namespace sparkout {
 
 class NoticeBar;

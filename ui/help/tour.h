@@ -54,8 +54,6 @@ private:
     QPoint m_tip; ///< in balloon coordinates
 };
 
-class TourBalloon;
-
 /// A part of the window shown by the tour.
 struct TourStep {
     /// Makes it visible; returns its area in the window, empty: the step is skipped.

@@ -14,8 +14,6 @@ class QLineEdit;
 class QPushButton;
 class QTreeWidget;
 
-class QPushButton;
-
 namespace sparkout {
 
 class Settings;
@@ -72,7 +70,6 @@ private:
 
 class Document;
 class ReasonLabel;
-class Settings;
 
 /// At the top of a page of the inputs: takes values from a catalogue, and saves the page's in the
 /// user's own.

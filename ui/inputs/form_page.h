@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-class QGridLayout;
 class QLabel;
 class QToolButton;
 

@@ -70,8 +70,6 @@ public:
 };
 
 class CalibratedMark;
-class InputRank;
-class ReasonLabel;
 class ResetMark;
 class SharedMark;
 

@@ -49,8 +49,6 @@ private:
     Document& m_document;
 };
 
-class Document;
-
 /// A list of structs in the document as a table: a row for each item, a column for each number of
 /// the item that the project reads. A refused text is kept beside the unchanged value.
 class ListModel : public QAbstractTableModel {

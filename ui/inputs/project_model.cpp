@@ -36,8 +36,6 @@
 class QLabel;
 class QPushButton;
 
-class QLabel;
-
 namespace sparkout {
 
 class NumberField;

@@ -24,7 +24,6 @@ public:
     static void apply(Document& document); ///< as one step of the history
 };
 
-class Document;
 struct Field;
 class ListModel;
 class ValueSlider;

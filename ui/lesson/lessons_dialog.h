@@ -7,7 +7,6 @@
 
 #include <vector>
 
-class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;

@@ -317,7 +317,7 @@ std::size_t traceRows(const Outcome& outcome) {
 QByteArray resultJsonBytes(const Outcome& outcome) {
     return QByteArray::fromStdString(judgedResultJson(
         outcome.result, outcome.constraints,
-        judge(outcome.result, outcome.constraints, judgeStocks(outcome.result), std::nullopt)));
+        judge(outcome.result, outcome.constraints, judgeStocks(outcome.result), {}, {}, false)));
 }
 
 } // namespace sparkout

@@ -179,11 +179,16 @@ std::vector<FactorKind> Document::moveLawsOf(Project& changed, const SurfaceStat
 }
 
 /// Moves the laws of the other surfaces, whose shared inputs an edit of the current one changes.
-void Document::moveLawsOfOthers(SetupState& after, const QString& mergeKey) const {
+void Document::moveLawsOfOthers(SetupState& after, const QString& mergeKey) {
     for (std::size_t i = 0; i < after.surfaces.size(); ++i) {
         if (i != after.present && after.surfaces[i] != m_present.surfaces[i]) {
             auto other = std::make_shared<SurfaceState>(*after.surfaces[i]);
-            (void)moveLawsOf(other->project, *m_present.surfaces[i], mergeKey);
+            for (const FactorKind kind :
+                 moveLawsOf(other->project, *m_present.surfaces[i], mergeKey)) {
+                if (std::ranges::count(m_movedLaws, kind) == 0) {
+                    m_movedLaws.push_back(kind);
+                }
+            }
             after.surfaces[i] = std::move(other);
         }
     }

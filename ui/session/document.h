@@ -178,7 +178,7 @@ private:
     [[nodiscard]] bool hasBatchAsMade(const Project& changed) const;
     [[nodiscard]] std::vector<FactorKind> moveLawsOf(Project& changed, const SurfaceState& present,
                                                      const QString& mergeKey) const;
-    void moveLawsOfOthers(SetupState& after, const QString& mergeKey) const;
+    void moveLawsOfOthers(SetupState& after, const QString& mergeKey);
     [[nodiscard]] const SurfaceState* beforeJoined(int surface, const QString& mergeKey) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
     /// Makes an edit; returns false if the gate refuses it.

@@ -191,8 +191,8 @@ void PartRuns::setJudged(const JudgedRun& judged) {
     }
     m_isFrontComing = judged.areStocksComing || judged.isBatchComing;
     const std::size_t surface = m_document.surface();
-    if (outcome.ran() && judged.judgement.batch && !judged.areStocksComing
-        && surface < m_statuses.size()) {
+    const bool saysMore = judged.judgement.batch || judged.judgement.measured;
+    if (outcome.ran() && saysMore && !judged.areStocksComing && surface < m_statuses.size()) {
         m_front = judged.judgement;
         if (m_statuses[surface].ran()) {
             take(surface, shownRun(surface));
@@ -206,7 +206,7 @@ void PartRuns::takeFront(std::size_t surface, SurfaceStatus& status) const {
     if (status.ran() && m_front && surface == m_document.surface()) {
         status.judgement = *m_front;
         status.areStocksComing = false;
-        status.isBatchComing = status.isBatchComing && !m_front->batch->isWhole;
+        status.isBatchComing = status.isBatchComing && !(m_front->batch && m_front->batch->isWhole);
     }
 }
 
@@ -329,8 +329,8 @@ void PartRuns::follow() {
         emit changed();
         return;
     }
-    m_job.start([this, state = m_document.state(), known = m_known](const std::stop_token& stop,
-                                                                    const NewestJob::Post& post) {
+    m_job.start([this, state = m_document.state(), known = m_known, counts = m_judgesBatches](
+                    const std::stop_token& stop, const NewestJob::Post& post) {
         RemovedMetal removed;
         std::vector<Fresh> fresh;
         for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
@@ -357,8 +357,8 @@ void PartRuns::follow() {
             }
         }
         for (Fresh& each : fresh) {
-            each.known.status.judgement =
-                judge(each.run.result, each.run.constraints, judgeStocks(each.run.result, stop));
+            each.known.status.judgement = judge(each.run.result, each.run.constraints,
+                                                judgeStocks(each.run.result, stop), {}, {}, counts);
             each.known.status.areStocksComing = false;
             if (stop.stop_requested()) {
                 return;

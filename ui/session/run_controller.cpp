@@ -97,8 +97,8 @@ void CycleJudge::judgeNow() {
     m_judged.isBatchComing = m_judged.hasBatch && !(ofBatch && ofBatch->isWhole)
                              && !m_studies.judged.refusal() && isBatchQuick(outcome.result);
     m_judged.areStocksComing = m_runs.areStocksComing();
-    m_judged.judgement =
-        judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch, measuredBias());
+    m_judged.judgement = judge(outcome.result, outcome.constraints, m_runs.stocks(), ofBatch,
+                               measuredBias(), m_judgesBatches);
 }
 
 std::optional<MeasuredBias> CycleJudge::measuredBias() const {

@@ -16,8 +16,6 @@ class QMenuBar;
 class QToolBar;
 
 class QMainWindow;
-class QMenuBar;
-class QToolBar;
 
 namespace sparkout {
 
@@ -47,7 +45,6 @@ private:
 
 class Document;
 class View;
-class WindowHead;
 
 /// The commands of the window, its menus and the tool bar.
 class Actions : public QObject {

@@ -16,8 +16,6 @@
 
 class QWidget;
 
-class QWidget;
-
 namespace sparkout {
 
 class Document;
@@ -51,10 +49,8 @@ private:
     QWidget* m_window;
 };
 
-class Document;
 class NoticeBar;
 class RecentFilesMenu;
-class Settings;
 
 /// The commands for files: new, open, save and recover, with their dialogs.
 class FileCommands : public QObject {

@@ -11,8 +11,6 @@
 
 class QWidget;
 
-class QWidget;
-
 namespace sparkout {
 
 class DiskWait;
@@ -40,7 +38,6 @@ private:
     QWidget* m_window;
 };
 
-class Document;
 class NoticeBar;
 class Settings;
 

@@ -78,8 +78,6 @@ private:
 
 } // namespace sparkout::report
 
-class QPainter;
-
 /// A sheet of a form as values: everything with its position on the paper, in millimetres.
 namespace sparkout::report {
 

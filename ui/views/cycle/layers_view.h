@@ -106,7 +106,6 @@ private:
     LayersDone m_done;
 };
 
-class LayersPlot;
 class LayersSurface;
 class SidePlot;
 

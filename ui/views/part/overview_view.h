@@ -65,7 +65,6 @@ private:
 };
 
 class KeptRuns;
-class OverviewTile;
 
 /// The view "Overview": the cycle at a glance, as bar charts on one page, each of which can be
 /// enlarged. A click on a bar opens the view with the details.

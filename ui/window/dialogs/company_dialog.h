@@ -28,8 +28,6 @@ private:
     report::Institution m_page;
 };
 
-class Settings;
-
 /// Edits the company data in the heads of documents: company, logo, names, numbers. Kept in the
 /// settings for all projects.
 class CompanyDialog : public QDialog {

@@ -20,12 +20,8 @@ class QTreeWidget;
 class QTreeWidgetItem;
 
 class QCheckBox;
-class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
-class QPushButton;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 class QWidget;
 
@@ -93,8 +89,6 @@ private:
     std::vector<Item> m_items;
     QStringList m_files; ///< unique names of the lessons
 };
-
-class Settings;
 
 /// Exports and imports packs.
 class PackCommands : public QObject {

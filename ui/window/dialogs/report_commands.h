@@ -18,8 +18,6 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 
-class QWidget;
-
 namespace sparkout {
 
 class Settings;
@@ -66,7 +64,6 @@ private:
 };
 
 class CycleCursor;
-class Settings;
 
 /// Makes the reports on the contents of the window.
 class ReportCommands : public QObject {

@@ -15,8 +15,6 @@
 
 class QWidget;
 
-class QWidget;
-
 namespace sparkout {
 
 /// The commands of one report, in a submenu.
@@ -32,7 +30,6 @@ struct ReportActions {
 [[nodiscard]] ReportActions makeReportActions(const QByteArray& key, QWidget* owner);
 
 class Settings;
-struct ReportActions;
 
 /// Prints, previews and saves reports.
 class ReportOutput : public QObject {

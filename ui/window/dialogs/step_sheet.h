@@ -51,8 +51,6 @@ private:
     double m_room = 1e6;
 };
 
-class FormulaObject;
-
 /// A sheet of formulas with their numbers, typeset as in the hand-out: a line breaks before an
 /// equals sign. Copies are plain text, one line for each equation.
 class FormulaView : public QTextEdit {
@@ -77,8 +75,6 @@ private:
 
     FormulaObject* m_object;
 };
-
-class FormulaView;
 
 /// The formulas of the current step of the cycle, with their numbers: the balance of the last
 /// ground radius, in each zone or section under the wheel at that moment.
