@@ -13871,7 +13871,7 @@ parts, ≤ %</source>
         </message>
         <message>
             <source>every stock and corner</source>
-            <translation>все припуски и сочетания</translation>
+            <translation>припуски и сочетания</translation>
         </message>
         <message>
             <source>every stock</source>
