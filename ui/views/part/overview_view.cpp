@@ -104,6 +104,10 @@ QString OverviewTile::emptyText() const {
 }
 
 void OverviewTile::setChart(BarChart chart) {
+    if (!chart.empty()) { // the texts are those of an empty tile, in the language of their time
+        m_empty->clear();
+        m_step->setText({});
+    }
     m_remark->setText(chart.remark);
     m_plot->setChart(std::move(chart));
     m_plot->setAccessibleDescription(m_plot->chart().description());
