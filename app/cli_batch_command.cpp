@@ -206,8 +206,7 @@ int runBatchMerge(const manual::Given& given) {
     const std::vector<std::string>& files = given.operands;
     BatchJoiner joiner;
     for (const std::string& file : files) {
-        constexpr std::size_t largestShard = std::size_t{256} << 20;
-        const auto content = readOrSay(file, largestShard);
+        const auto content = readOrSay(file, limits::shardBytes);
         if (!content) {
             return refused;
         }

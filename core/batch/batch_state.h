@@ -4,6 +4,7 @@
 #include "core/batch/batch_run.h"
 #include "core/issue.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,11 @@ struct ReadBatchState {
     explicit operator bool() const { return result.has_value(); }
 };
 [[nodiscard]] ReadBatchState readBatchState(std::string_view text);
+
+namespace limits {
+/// Greatest size of a shard that is read; filled bins and rows of 200 sections take less.
+inline constexpr std::size_t shardBytes = std::size_t{256} << 20;
+} // namespace limits
 
 inline constexpr const char* batchStateFormat = "sparkout-batch";
 inline constexpr int batchStateVersion = 3;

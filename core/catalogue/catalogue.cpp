@@ -408,19 +408,13 @@ std::string writeCatalogue(const std::vector<Entry>& entries) {
 }
 
 template <class Entry>
-std::optional<CatalogueFault> saveCatalogue(const std::filesystem::path& path,
-                                            const std::vector<Entry>& entries,
-                                            const std::optional<std::string>& expected) {
-    const std::string text = writeCatalogue(entries);
+std::variant<std::string, Issues> checkedCatalogue(const std::vector<Entry>& entries) {
+    std::string text = writeCatalogue(entries);
     CatalogueRead<Entry> again = readCatalogue<Entry>(text);
     if (!again.entries || writeCatalogue(*again.entries) != text) {
-        return CatalogueFault{std::move(again.issues), std::nullopt};
+        return std::move(again.issues);
     }
-    if (const auto error =
-            writeFileSafely(path, text, {.keepBackup = true, .expected = expected})) {
-        return CatalogueFault{{}, error};
-    }
-    return std::nullopt;
+    return text;
 }
 
 template <class Entry>
@@ -492,9 +486,7 @@ std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius) {
 #define SPARKOUT_CATALOGUE(Entry)                                                                  \
     template CatalogueRead<Entry> readCatalogue<Entry>(std::string_view);                          \
     template std::string writeCatalogue<Entry>(const std::vector<Entry>&);                         \
-    template std::optional<CatalogueFault> saveCatalogue<Entry>(                                   \
-        const std::filesystem::path&, const std::vector<Entry>&,                                   \
-        const std::optional<std::string>&);                                                        \
+    template std::variant<std::string, Issues> checkedCatalogue<Entry>(const std::vector<Entry>&); \
     template std::vector<Entry> mergedEntries<Entry>(const std::vector<Entry>&,                    \
                                                      const std::vector<Entry>&);                   \
     template void applyEntry<Entry>(const Entry&, Project&);                                       \

@@ -2,17 +2,16 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/file/safe_file.h"
 #include "core/issue.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/project.h"
 #include "core/project/wheel.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 /// Catalogues of materials, wheels and machines: one UTF-8 JSON file for each kind, read and
@@ -100,19 +99,9 @@ template <class Entry>
 template <class Entry>
 [[nodiscard]] std::string writeCatalogue(const std::vector<Entry>& entries);
 
-/// Why a catalogue was not saved: faults with which it could not be read again, or the disk.
-struct CatalogueFault {
-    Issues issues;
-    std::optional<FileError> file;
-};
-
-/// Saves a catalogue safely, with the last version beside it; empty on success. Data that could not
-/// be read again are not written, and only the expected version is replaced
-/// (WriteOptions::expected).
+/// The text of a catalogue, read back and compared, or the faults with which it would be refused.
 template <class Entry>
-[[nodiscard]] std::optional<CatalogueFault>
-saveCatalogue(const std::filesystem::path& path, const std::vector<Entry>& entries,
-              const std::optional<std::string>& expected = std::nullopt);
+[[nodiscard]] std::variant<std::string, Issues> checkedCatalogue(const std::vector<Entry>& entries);
 
 /// The shipped entries and the user's own, of which each replaces a shipped one with its name.
 /// Ordered by name, with numbers by value.

@@ -58,10 +58,6 @@ struct WriteOptions {
     std::optional<std::string> expected = std::nullopt;
 };
 
-/// Greatest number of attempts of a writer that merges its change into the current contents, which
-/// another program may change each time, before it fails with FileStep::changed.
-inline constexpr int mergeAttempts = 100;
-
 /// The only function that writes files: afterwards the path has exactly the old or exactly the new
 /// bytes, whatever fails or is killed in between, and success is reported only once the new bytes
 /// are on the disk and have been read back.

@@ -15,7 +15,6 @@ namespace sparkout {
 namespace {
 
 constexpr std::chrono::seconds betweenWrites(1);
-constexpr std::size_t mostStateBytes = std::size_t{1} << 20;
 
 } // namespace
 
@@ -28,7 +27,7 @@ SearchQuestion searchQuestion(const Project& project, const SearchWish& wish) {
 
 std::optional<KeptSearchFault> KeptSearch::open() {
     SearchRecord record;
-    const auto text = readFile(m_file, mostStateBytes);
+    const auto text = readFile(m_file, mostBytes);
     const auto* const error = std::get_if<FileError>(&text);
     if (error && error->systemError != ENOENT) {
         return *error;
@@ -56,7 +55,7 @@ std::optional<KeptSearchFault> KeptSearch::open() {
 
 void KeptSearch::write(const SearchRecord& record) {
     const std::string text = writeSearchState(m_question, record);
-    const auto error = text.size() > mostStateBytes // the search could not be continued from it
+    const auto error = text.size() > mostBytes // the search could not be continued from it
                            ? FileError{utf8(m_file), FileStep::content, 0, {}}
                            : writeFileSafely(m_file, text);
     m_written = std::chrono::steady_clock::now();

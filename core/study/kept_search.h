@@ -27,6 +27,8 @@ using KeptSearchFault = std::variant<FileError, ReadSearchState>;
 /// the end, so that the search can be killed at any moment and resumed.
 class KeptSearch {
 public:
+    static constexpr std::size_t mostBytes = std::size_t{1} << 20; ///< of the file
+
     KeptSearch(std::filesystem::path file, SearchQuestion question)
         : m_file(std::move(file)), m_question(std::move(question)) {}
     KeptSearch(const KeptSearch&) = delete;

@@ -10,6 +10,7 @@
 #include "core/project/wheel.h"
 #include "core/sha256.h"
 #include "ui/session/background.h"
+#include "ui/session/guarded_file.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
@@ -203,46 +204,39 @@ private:
         }
     }
 
-    /// Another window may write between reading and writing: then it is read again.
+    /// Merges a change into the entries that the file has now, since another window may have
+    /// written it.
     template <class Change>
     QString change(Change apply) {
         std::vector<Entry> own;
-        std::optional<CatalogueFault> fault;
-        for (int attempt = 0; attempt < mergeAttempts; ++attempt) {
+        QString refused;
+        const auto changed = [&]() -> std::optional<GuardedFile::Amendment> {
             refresh();
-            if (!m_fault.isEmpty()) {
-                return m_fault;
-            }
             own = m_own;
             apply(own);
-            fault = write(own);
-            if (!fault || !fault->file || fault->file->step != FileStep::changed) {
-                break;
+            auto text = checkedCatalogue(own);
+            const auto* issues = std::get_if<Issues>(&text);
+            refused = !m_fault.isEmpty() ? m_fault
+                      : issues           ? faultText(*issues, m_kind)
+                                         : QString();
+            if (!refused.isEmpty()) {
+                return std::nullopt;
             }
-        }
-        if (fault) {
-            refresh();
-            return fault->file ? saveErrorText(*fault->file) : faultText(fault->issues, m_kind);
-        }
-        m_own = std::move(own);
-        refresh();
-        return {};
-    }
-
-    std::optional<CatalogueFault> write(const std::vector<Entry>& own) {
-        std::optional<CatalogueFault> fault;
+            return GuardedFile::Amendment{
+                m_sha256,
+                issues ? std::nullopt : std::optional(std::get<std::string>(std::move(text)))};
+        };
         if (m_ownFile.isEmpty()) {
-            auto read = readCatalogue<Entry>(writeCatalogue(own));
-            if (!read.entries) {
-                fault = CatalogueFault{std::move(read.issues), std::nullopt};
-            }
-        } else {
-            runAside([&] {
-                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // a failure shows when writing
-                fault = saveCatalogue(systemPath(m_ownFile), own, m_sha256);
-            });
+            (void)changed();
+        } else if (const auto error =
+                       GuardedFile::amend(m_ownFile, GuardedFile::Waiting::aside, changed)) {
+            refused = saveErrorText(*error);
         }
-        return fault;
+        if (refused.isEmpty()) {
+            m_own = std::move(own);
+        }
+        refresh();
+        return refused;
     }
 
     std::vector<Entry> m_shipped, m_own;

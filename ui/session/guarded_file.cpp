@@ -323,13 +323,13 @@ std::optional<std::string> GuardedFile::expectedAt(const QString& path) const {
 
 /// Keeps the version about to be replaced. A failure does not prevent saving: the version also
 /// becomes NAME.bak, without which a save is refused.
-void GuardedFile::keepEarlierVersion(const QString& path) const {
+void GuardedFile::keepEarlierVersion(const BackupHistory& history, const QString& path,
+                                     const std::function<bool(const QByteArray& hash)>& isOwn) {
     const auto old = readFile(systemPath(path), limits::fileBytes);
-    const auto* bytes = std::get_if<std::string>(&old);
-    if (m_history && bytes != nullptr) {
-        const bool isOwn = isFile(path) && isKnown(contentHash(*bytes));
-        (void)m_history->keep(path, *bytes, QDateTime::currentDateTimeUtc(),
-                              isOwn ? BackupHistory::Whose::own : BackupHistory::Whose::foreign);
+    if (const auto* bytes = std::get_if<std::string>(&old)) {
+        (void)history.keep(path, *bytes, QDateTime::currentDateTimeUtc(),
+                           isOwn(contentHash(*bytes)) ? BackupHistory::Whose::own
+                                                      : BackupHistory::Whose::foreign);
     }
 }
 
@@ -337,7 +337,11 @@ std::optional<FileError> GuardedFile::write(const QString& path, const MakeConte
     m_watch.pause();
     SavedContent saved;
     runAside([&, expected = expectedAt(path)] {
-        keepEarlierVersion(path);
+        if (m_history) {
+            keepEarlierVersion(*m_history, path, [&](const QByteArray& hash) {
+                return isFile(path) && isKnown(hash);
+            });
+        }
         saved = saveContent(make, path, {.keepBackup = true, .expected = expected});
     });
     if (saved.error) {
@@ -347,6 +351,34 @@ std::optional<FileError> GuardedFile::write(const QString& path, const MakeConte
     }
     follow(path, saved.hash);
     return {};
+}
+
+std::optional<FileError> GuardedFile::amend(const QString& path, Waiting waiting,
+                                            const std::function<std::optional<Amendment>()>& read) {
+    constexpr int attempts = 100; // another program may change the file each time
+    SavedContent saved;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const std::optional<Amendment> amended = read();
+        if (!amended) {
+            return {};
+        }
+        const auto write = [&] {
+            const QString folder = QFileInfo(path).absolutePath();
+            QDir().mkpath(folder); // a failure shows when writing
+            keepEarlierVersion(BackupHistory(folder), path, [](const QByteArray&) { return true; });
+            saved = saveContent([&] { return amended->text; }, path,
+                                {.keepBackup = true, .expected = amended->expected});
+        };
+        if (waiting == Waiting::aside) {
+            runAside(write);
+        } else {
+            write();
+        }
+        if (!saved.error || saved.error->step != FileStep::changed) {
+            break;
+        }
+    }
+    return saved.error;
 }
 
 } // namespace sparkout

@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -144,6 +145,21 @@ public:
     /// replaced version. An unknown version of the file is not replaced (FileStep::changed).
     [[nodiscard]] std::optional<FileError> write(const QString& path, const MakeContent& make);
 
+    /// Contents made from those on the disk.
+    struct Amendment {
+        std::string expected;            ///< sha256() of the contents on the disk; empty: no file
+        std::optional<std::string> text; ///< empty: its reader would refuse it
+    };
+    enum class Waiting { here, aside }; ///< where the disk is waited for; aside: runAside()
+    /// Changes a file that any window may change at any time, such as the settings and the user's
+    /// catalogues: none of them holds its lock, and each merges its change into the contents that
+    /// it finds. `read` reads the file and makes the new contents, and is asked again if another
+    /// program writes meanwhile; nothing is written if it returns none. Keeps the replaced version
+    /// beside the file and in the folder `backups` there.
+    [[nodiscard]] static std::optional<FileError>
+    amend(const QString& path, Waiting waiting,
+          const std::function<std::optional<Amendment>()>& read);
+
     [[nodiscard]] const BackupHistory* history() const { return m_history ? &*m_history : nullptr; }
     [[nodiscard]] FileWatch& watch() { return m_watch; }
 
@@ -157,7 +173,8 @@ private:
     [[nodiscard]] bool isFile(const QString& path) const;
     [[nodiscard]] bool isKnown(const QByteArray& hash) const; ///< empty: a missing file
     [[nodiscard]] std::optional<std::string> expectedAt(const QString& path) const;
-    void keepEarlierVersion(const QString& path) const;
+    static void keepEarlierVersion(const BackupHistory& history, const QString& path,
+                                   const std::function<bool(const QByteArray& hash)>& isOwn);
 
     QString m_path;
     QByteArray m_hash;

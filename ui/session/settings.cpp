@@ -4,6 +4,7 @@
 #include "core/project/part.h"
 #include "core/sha256.h"
 #include "core/text.h"
+#include "ui/session/guarded_file.h"
 #include "ui/session/kept_texts.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
@@ -213,29 +214,22 @@ std::optional<FileError> SettingsFile::flush() {
     if (m_path.isEmpty() || m_changed.isEmpty()) {
         return {};
     }
-    QDir().mkpath(QFileInfo(m_path).absolutePath()); // a failure shows when writing
-    std::optional<FileError> error;
-    for (int attempt = 0; attempt < mergeAttempts; ++attempt) {
+    using Amendment = GuardedFile::Amendment;
+    const auto merged = [this]() -> std::optional<Amendment> {
         std::optional<Content> content = read();
         if (!content) {
-            return m_unreadable;
+            return std::nullopt;
         }
         content->values.insert(m_changed);
         const QByteArray text = textOf(content->values);
-        if (!mayBeRead(text)) {
-            return FileError{systemText(m_path), FileStep::content, 0, {}};
-        }
-        error = writeFileSafely(systemPath(m_path), {text.constData(), std::size_t(text.size())},
-                                {.keepBackup = true, .expected = content->sha256});
-        if (!error) {
-            m_changed.clear();
-            return {};
-        }
-        if (error->step != FileStep::changed) {
-            break;
-        }
+        return Amendment{content->sha256,
+                         mayBeRead(text) ? std::optional(text.toStdString()) : std::nullopt};
+    };
+    std::optional<FileError> error = GuardedFile::amend(m_path, GuardedFile::Waiting::here, merged);
+    if (!error && !m_unreadable) {
+        m_changed.clear();
     }
-    return error;
+    return error ? error : m_unreadable;
 }
 
 namespace {

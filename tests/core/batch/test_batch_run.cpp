@@ -2,7 +2,11 @@
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_state.h"
 #include "core/batch/batch_summary.h"
+#include "core/batch/scenario_source.h"
 #include "core/batch/sensitivity.h"
+#include "core/build_id.h"
+#include "core/file/project_file.h"
+#include "core/project/given_factors.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -14,6 +18,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <set>
 #include <stop_token>
 #include <thread>
@@ -441,6 +446,50 @@ private slots:
         QCOMPARE(summarise(result).parts, std::int64_t{0});
         const auto read = readBatchState(writeBatchState(result));
         QVERIFY(read && read.result->status == BatchStatus::stopped);
+    }
+
+    /// Every bin and row filled, with as many factors and, in a long run, sections as a project may
+    /// have.
+    void theLargestShardIsReadBack() {
+        Project project = fixtures::stiffBatch(1'000'000);
+        project.sections = samples::sized(20, 4, 200);
+        project.part->tolerance.roundness_um = project.part->tolerance.cylindricity_um = 10;
+        project.notes = std::string(limits::stringBytes, 'x');
+        const auto sections = static_cast<std::size_t>(project.sections);
+        auto& stocks = project.batch->zone_stock_mm.emplace(sections, std::vector<double>{0, 0});
+        auto& runouts = project.batch->zone_runout_mm.emplace(sections, std::vector<double>{0, 0});
+        for (std::size_t i = 0; i < limits::factors; ++i) {
+            (i % 2 ? stocks : runouts)[i / 2 % sections] = {0.001, 0.002};
+        }
+        BatchResult result;
+        result.project = project;
+        result.build = buildId();
+        result.batchParts = result.range.end = project.batch->parts;
+        const ScenarioSource source(project);
+        const auto characteristics = characteristicsOf(source.nominal());
+        PartOutcome outcome;
+        measure(simulateUnchecked(source.project(0)), characteristics, outcome);
+        const std::vector<double> usual = outcome.values;
+        std::mt19937_64 draw(1);
+        const std::int64_t parts = 4 * BatchStatistics::keptRows;
+        for (std::int64_t part = 0; part < parts; ++part) {
+            RankScores scores{};
+            for (std::size_t f = 0; f < source.factors().size(); ++f) {
+                scores[f] = static_cast<std::int32_t>(draw() >> 45) - (1 << 18);
+            }
+            for (std::size_t i = 0; i < usual.size(); ++i) {
+                outcome.values[i] = usual[i] + std::ldexp(static_cast<double>(draw()), -64);
+            }
+            result.statistics.add(outcome, part, characteristics, scores);
+        }
+        result.statistics.sort();
+        const std::string text = writeBatchState(result);
+        qInfo("a shard of %zu characteristics and %zu factors: %zu MB", characteristics.size(),
+              source.factors().size(), text.size() >> 20);
+        QVERIFY(text.size() <= limits::shardBytes);
+        const ReadBatchState read = readBatchState(text);
+        QVERIFY2(read, read.issue ? read.issue->path.c_str() : "");
+        QVERIFY(read.result->statistics == result.statistics);
     }
 
     // Other programs may hold the processor up: of five stops the quickest counts.

@@ -6,7 +6,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTemporaryDir>
 
 namespace sparkout::test_catalogue {
 
@@ -197,44 +196,27 @@ private slots:
         project.machine->stiffness_n_um = Stiffness{11, 12, 13};
         project.machine->wheel_contact = WheelContact{{{{10, 5}, {20, 9}}}};
         project.wheel->marking = "25А F60 L 6 V";
-        const QTemporaryDir folder;
-        QVERIFY(savedAndRead<MaterialEntry>(
-            project, folder.filePath("m.json"), [](const Project& a, const Project& b) {
-                return a.material->hardness_hrc == b.material->hardness_hrc
-                       && a.material->friction == b.material->friction;
-            }));
-        QVERIFY(savedAndRead<WheelEntry>(project, folder.filePath("w.json"),
-                                         [](const Project& a, const Project& b) {
-                                             return a.wheel->marking == b.wheel->marking
-                                                    && a.wheel->dullness == b.wheel->dullness;
-                                         }));
-        QVERIFY(savedAndRead<MachineEntry>(
-            project, folder.filePath("g.json"), [](const Project& a, const Project& b) {
-                return a.machine->stiffness_n_um->wheel_head
-                           == b.machine->stiffness_n_um->wheel_head
-                       && a.machine->wheel_contact->n_um_at_n == b.machine->wheel_contact->n_um_at_n
-                       && a.machine->compliance_mm_per_n == b.machine->compliance_mm_per_n;
-            }));
+        QVERIFY(writtenAndRead<MaterialEntry>(project, [](const Project& a, const Project& b) {
+            return a.material->hardness_hrc == b.material->hardness_hrc
+                   && a.material->friction == b.material->friction;
+        }));
+        QVERIFY(writtenAndRead<WheelEntry>(project, [](const Project& a, const Project& b) {
+            return a.wheel->marking == b.wheel->marking && a.wheel->dullness == b.wheel->dullness;
+        }));
+        QVERIFY(writtenAndRead<MachineEntry>(project, [](const Project& a, const Project& b) {
+            return a.machine->stiffness_n_um->wheel_head == b.machine->stiffness_n_um->wheel_head
+                   && a.machine->wheel_contact->n_um_at_n == b.machine->wheel_contact->n_um_at_n
+                   && a.machine->compliance_mm_per_n == b.machine->compliance_mm_per_n;
+        }));
     }
 
-    void whatCannotBeReadAgainIsNotSaved() {
-        const QTemporaryDir folder;
-        const QString path = folder.filePath("mine.json");
+    void whatCannotBeReadAgainIsRefused() {
         auto entries = shipped<MaterialEntry>();
-        QVERIFY(!saveCatalogue(path.toStdString(), entries));
-        const std::string before = samples::readText(path.toStdString());
-        entries[0].value.conductivity_w_mk = -5;
-        const auto fault = saveCatalogue(path.toStdString(), entries);
-        QVERIFY(fault && hasErrors(fault->issues) && !fault->file);
-        QCOMPARE(samples::readText(path.toStdString()), before);
-        entries[0].value.conductivity_w_mk = std::nan("");
-        QVERIFY(saveCatalogue(path.toStdString(), entries));
-        QCOMPARE(samples::readText(path.toStdString()), before);
-    }
-
-    void theDisksRefusalIsHandedBack() {
-        const auto fault = saveCatalogue("/no/such/folder/mine.json", shipped<WheelEntry>());
-        QVERIFY(fault && fault->file && fault->issues.empty());
+        QVERIFY(std::holds_alternative<std::string>(checkedCatalogue(entries)));
+        for (const double refused : {-5.0, std::nan("")}) {
+            entries[0].value.conductivity_w_mk = refused;
+            QVERIFY(std::holds_alternative<Issues>(checkedCatalogue(entries)));
+        }
     }
 
     // λ/(ρ·c) by hand, between two rows, and nothing where no row is.
@@ -255,12 +237,13 @@ private slots:
 
 private:
     template <class Entry>
-    static bool savedAndRead(const Project& project, const QString& path, auto same) {
+    static bool writtenAndRead(const Project& project, auto same) {
         const std::vector<Entry> mine{entryOf<Entry>(project, "моё")};
-        if (saveCatalogue(path.toStdString(), mine)) {
+        const auto text = checkedCatalogue(mine);
+        if (!std::holds_alternative<std::string>(text)) {
             return false;
         }
-        const auto read = readCatalogue<Entry>(samples::readText(path.toStdString()));
+        const auto read = readCatalogue<Entry>(std::get<std::string>(text));
         Project other;
         if (read.entries) {
             applyEntry(read.entries->front(), other);

@@ -4,10 +4,12 @@
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/whole_project.h"
 #include "ui/session/catalogue_store.h"
+#include "ui/session/guarded_file.h"
 #include "ui/session/project_io.h"
 #include "ui/text/texts.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -84,6 +86,9 @@ private slots:
         QCOMPARE(store->items().size(), shipped + 1);
         QCOMPARE(store->remove(QStringLiteral("N")), QString());
         QCOMPARE(store->items().size(), shipped);
+        const BackupHistory history(QFileInfo(store->ownFile()).absolutePath());
+        QVERIFY(!history.versions(store->ownFile()).empty()); // the first of these minutes
+        QVERIFY(QFile::exists(store->ownFile() + QStringLiteral(".bak")));
     }
 
     void aMachineSavedAsMineKeepsItsEntrySide() {

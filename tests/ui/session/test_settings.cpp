@@ -231,7 +231,9 @@ private slots:
             QVERIFY(!settings.flush());
             QVERIFY(trouble::bytesOf(file).contains("\"later\""));
             QCOMPARE(Settings(file).theme(), QStringLiteral("light"));
-            QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
+            QCOMPARE(trouble::entries(folder.path()),
+                     (QStringList{QStringLiteral("backups"), QStringLiteral("settings.json"),
+                                  QStringLiteral("settings.json.bak")}));
         }
     }
 #else
@@ -256,7 +258,8 @@ private slots:
             QVERIFY(error && error->step == FileStep::write);
         }
         QVERIFY(Settings(file).theme() == u"dark" || Settings(file).theme() == u"light");
-        QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
+        QCOMPARE(trouble::entries(folder.path()),
+                 (QStringList{QStringLiteral("backups"), QStringLiteral("settings.json")}));
     }
 #endif
 

@@ -8,7 +8,10 @@
 #include "core/lesson/text_markup.h"
 #include "core/lesson/work.h"
 #include "core/project/part.h"
+#include "core/search/grid.h"
+#include "core/search/search_state.h"
 #include "core/setup/setup_file.h"
+#include "core/study/kept_search.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_trouble.h"
@@ -144,6 +147,36 @@ QVariantMap settingsWith(std::size_t bytes) {
     return texts;
 }
 
+/// Searches whose record takes somewhat more than so many bytes.
+SearchRecord searchesOf(std::size_t bytes) {
+    SearchRecord record;
+    record.finished.emplace_back().last =
+        GridCycle(100, {std::size_t(mostSettings), int(mostStockSteps)});
+    const std::size_t ofOne = writeSearchState({}, record).size() - writeSearchState({}, {}).size();
+    record.finished.resize(bytes / ofOne + 1, record.finished.front());
+    return record;
+}
+
+/// The progress of a search, as `optimize --resume` keeps it.
+Writer keptSearch() {
+    const SearchQuestion question{"engine", "project", "--method full"};
+    return {KeptSearch::mostBytes,
+            [question](const QString& path, std::size_t bytes) {
+                KeptSearch kept(path.toStdString(), question);
+                bool refused = kept.open().has_value();
+                kept.onFailure = [&refused](const FileError&) { refused = true; };
+                kept.journal() = SearchJournal(searchesOf(bytes));
+                kept.close();
+                return !refused;
+            },
+            [question](const QString& path, std::size_t bytes) {
+                KeptSearch kept(path.toStdString(), question);
+                return !kept.open()
+                       && writeSearchState(question, kept.journal().record())
+                              == writeSearchState(question, searchesOf(bytes));
+            }};
+}
+
 std::map<QByteArray, Writer> writers() {
     std::map<QByteArray, Writer> all;
     all["project"] = guarded([](std::size_t bytes) { return projectText(setupWith(bytes, 1)); });
@@ -156,6 +189,7 @@ std::map<QByteArray, Writer> writers() {
     all["pack"] = guarded(
         packWith, writePack,
         [](const std::string& text) { return readPack(text).pack.has_value(); }, lessonTasks);
+    all["search"] = keptSearch();
     all["catalogue"] = {
         limits::fileBytes,
         [](const QString& path, std::size_t bytes) {
@@ -257,9 +291,9 @@ private slots:
         QCOMPARE(again.recentFiles().size(), Settings::recentFilesKept);
         QCOMPARE(again.theme(), QStringLiteral("dark"));
         QVERIFY(again.file().damaged().isEmpty());
-        QCOMPARE(
-            trouble::entries(folder.path()),
-            (QStringList{QStringLiteral("settings.json"), QStringLiteral("settings.json.bak")}));
+        QCOMPARE(trouble::entries(folder.path()),
+                 (QStringList{QStringLiteral("backups"), QStringLiteral("settings.json"),
+                              QStringLiteral("settings.json.bak")}));
     }
 };
 
