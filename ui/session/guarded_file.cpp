@@ -327,9 +327,9 @@ void GuardedFile::keepEarlierVersion(const BackupHistory& history, const QString
                                      const std::function<bool(const QByteArray& hash)>& isOwn) {
     const auto old = readFile(systemPath(path), limits::fileBytes);
     if (const auto* bytes = std::get_if<std::string>(&old)) {
+        using Whose = BackupHistory::Whose;
         (void)history.keep(path, *bytes, QDateTime::currentDateTimeUtc(),
-                           isOwn(contentHash(*bytes)) ? BackupHistory::Whose::own
-                                                      : BackupHistory::Whose::foreign);
+                           isOwn(contentHash(*bytes)) ? Whose::own : Whose::foreign);
     }
 }
 
