@@ -2,6 +2,7 @@
 """The Python module gives the numbers of the command line, as arrays where there are many.
 
 Called with the module, sparkout-cli and the folder of the examples."""
+import functools
 import json
 import os
 import pathlib
@@ -20,12 +21,39 @@ sys.path.insert(0, str(pathlib.Path(MODULE).parent))
 import sparkout  # noqa: E402
 
 FACTORY = EXAMPLES / "shaft-30h6-factory.sparkout"
+MEASURED = EXAMPLES / "shaft-30h6-measured.sparkout"
+TWO_STAGE = EXAMPLES / "plunge-shaft-two-stage.sparkout"
 SPINDLE = EXAMPLES / "setups/spindle.sparkout"
 
 
+@functools.cache
+def printed(*arguments):
+    return subprocess.run([CLI, *arguments], capture_output=True, text=True, check=False).stdout
+
+
 def cli(*arguments):
-    done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, check=False)
-    return json.loads(done.stdout)
+    """The JSON that the command line prints; of the same words it is asked once."""
+    return json.loads(printed(*map(str, arguments)))
+
+
+class OneLine(unittest.TestCase):
+    """As a user types it: python3 -c, in a process of its own."""
+
+    def test_search_batch_phases_and_fit_have_the_numbers_of_the_command_line(self):
+        fit = "compliance,alpha"
+        for question, file, command, *options in (
+            ("search(project).to_dict()", TWO_STAGE, "optimize"),
+            ("batch(project).to_dict()", FACTORY, "batch"),
+            ("phases(project)", FACTORY, "phases"),
+            (f"measured(project, fit='{fit}')", MEASURED, "measured", "--fit", fit),
+        ):
+            with self.subTest(command):
+                line = ("import json, sys, sparkout; project = sparkout.Project.read(sys.argv[1]); "
+                        f"print(json.dumps(sparkout.{question}))")
+                done = subprocess.run(
+                    [sys.executable, "-c", line, file], capture_output=True, text=True, check=True,
+                    env=os.environ | {"PYTHONPATH": str(pathlib.Path(MODULE).parent)})
+                self.assertEqual(json.loads(done.stdout), cli(command, file, *options, "--json"))
 
 
 class Starting(unittest.TestCase):
@@ -261,15 +289,14 @@ class Studies(unittest.TestCase):
         self.assertAlmostEqual(found.time_s, search.time_s, delta=1e-6)
 
     def test_a_search_states_all_that_the_command_line_states(self):
-        file = EXAMPLES / "plunge-shaft-two-stage.sparkout"
-        project = sparkout.Project.read(file)
+        project = sparkout.Project.read(TWO_STAGE)
         for options, arguments in (
             ({}, []),
             ({"robust": True}, ["--robust"]),
             ({"method": "labels"}, ["--method", "labels"]),
         ):
             search = sparkout.search(project, **options)
-            self.assertEqual(search.to_dict(), cli("optimize", file, "--json", *arguments))
+            self.assertEqual(search.to_dict(), cli("optimize", TWO_STAGE, *arguments, "--json"))
             self.assertTrue(any("your cycle takes" in each for each in search.text))
         front = sparkout.search(sparkout.Project.read(FACTORY), front=True).to_dict()
         self.assertTrue(front["front_is_whole"])
@@ -278,7 +305,7 @@ class Studies(unittest.TestCase):
             sparkout.search(project, method="best")
 
     def test_a_full_search_is_continued_from_the_file_of_the_command_line(self):
-        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout").with_values(
+        project = sparkout.Project.read(TWO_STAGE).with_values(
             {"/optimisation/stages": [1, 2], "/optimisation/radial_feed_mm_min": [0.1, 0.3, 0.6]})
         with tempfile.TemporaryDirectory() as folder:
             path, kept = (pathlib.Path(folder) / name for name in ("small.sparkout", "kept.json"))
@@ -299,12 +326,11 @@ class Studies(unittest.TestCase):
                 sparkout.search(project, method="full", resume=path.parent / "no" / "kept.json")
 
     def test_what_was_measured_is_that_of_the_command_line(self):
-        file = EXAMPLES / "shaft-30h6-measured.sparkout"
-        project = sparkout.Project.read(file)
-        self.assertEqual(sparkout.measured(project), cli("measured", file, "--json"))
+        project = sparkout.Project.read(MEASURED)
+        self.assertEqual(sparkout.measured(project), cli("measured", MEASURED, "--json"))
         parameters = "compliance,alpha"
         fitted = sparkout.measured(project, fit=parameters)
-        self.assertEqual(fitted, cli("measured", file, "--fit", parameters, "--json"))
+        self.assertEqual(fitted, cli("measured", MEASURED, "--fit", parameters, "--json"))
         self.assertIn("status", fitted["identification"])
         with self.assertRaisesRegex(ValueError, "fit: beauty; allowed: alpha, beta"):
             sparkout.measured(project, fit="beauty")
@@ -317,7 +343,7 @@ class Studies(unittest.TestCase):
             sparkout.measured(project, table="Diameter, mm\nthirty\n")
 
     def test_a_recording_that_the_calibration_has_not_used_is_predicted(self):
-        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout")
+        project = sparkout.Project.read(TWO_STAGE)
         recording = EXAMPLES.parent.parent / "tests/data/trials/62_noise_free_beta1.5.csv"
         calibrated = sparkout.calibrated(project, fit="alpha,beta,size_offset,time_shift",
                                          table=recording.read_text(), data="first.csv")
@@ -374,12 +400,11 @@ class Studies(unittest.TestCase):
             self.assertEqual(changed.time_s, each.time_s)
 
     def test_why_no_remedy_helps_is_that_of_the_command_line(self):
-        file = EXAMPLES / "plunge-shaft-two-stage.sparkout"
         kinds = set()
         for values in ({"/machine/geometric_runout_um": 6}, {"/gauge/commands": 1},
                        {"/part/tolerance/radial_runout_um": 1e-6}):
             with self.subTest(values), tempfile.TemporaryDirectory() as folder:
-                project = sparkout.Project.read(file).with_values(values)
+                project = sparkout.Project.read(TWO_STAGE).with_values(values)
                 changed = pathlib.Path(folder) / "changed.sparkout"
                 project.write(changed)
                 stated = cli("remedies", changed, "--json")["conflict"]
@@ -393,7 +418,7 @@ class Studies(unittest.TestCase):
         self.assertIn("unmended", kinds)
 
     def test_a_cycle_that_does_not_end_is_no_measure_of_time(self):
-        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout").with_values({
+        project = sparkout.Project.read(TWO_STAGE).with_values({
             "/cycle/stages/1/radial_feed_mm_min": 0,
             "/cycle/stages/1/spark_out": "until_size",
             "/batch": None})
