@@ -19,6 +19,10 @@ namespace {
 
 constexpr double leastDrift_mm_min = 1e-5;
 constexpr double leastDelay_s = 1e-4; ///< resolution of a recorder's clock
+/// Less than the time constant of any gauge. The model has one size a revolution, T apart, and a
+/// straight line between; where the size approaches its end with a time constant t_c, that line is
+/// as far off as a lag of T²/(8·t_c), some milliseconds, would put it.
+constexpr double leastLag_s = 5e-3;
 
 bool hasTimes(const FitGroup& group) {
     return !group.time_s.empty();
@@ -206,7 +210,9 @@ double inflation(double autocorrelation) {
 }
 
 bool isCertain(const OutOfStep& found) {
-    const double least = found.kind == FittedKind::gauge_drift ? leastDrift_mm_min : leastDelay_s;
+    const double least = found.kind == FittedKind::gauge_drift ? leastDrift_mm_min
+                         : found.kind == FittedKind::gauge_lag ? leastLag_s
+                                                               : leastDelay_s;
     return std::abs(found.amount) >= std::max(least, certainDelay * found.error);
 }
 
