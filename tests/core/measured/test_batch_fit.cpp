@@ -6,6 +6,8 @@
 #include "core/measured/cycle_response.h"
 #include "core/measured/identification.h"
 #include "core/phases/phase_decision.h"
+#include "core/process/profile.h"
+#include "core/simulation/simulate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
