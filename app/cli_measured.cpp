@@ -107,6 +107,13 @@ std::string fitText(const Project& project, const Identification& found,
                 + ")" + (unit.empty() ? "" : " " + unit) + ", "
                 + wordsOf(value.parameter.kind, hasThreshold(project)).text + '\n';
     }
+    for (const FittedValue& value : found.values) {
+        if (!value.isUsual()) {
+            text += "does not fit: " + parameterName(value.parameter) + ": "
+                    + fixed(value.value, digits) + "; usual: " + fixed(value.usual->low, digits)
+                    + "…" + fixed(value.usual->high, digits) + '\n';
+        }
+    }
     for (const FitResiduals& group : found.residuals) {
         text += std::string(wordsOf(group.source).text) + ": residuals of "
                 + std::to_string(group.values.size()) + " values, RMS " + fixed(group.rms, 5) + ' '

@@ -1148,8 +1148,8 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
-            <source>the model does not fit: the residuals exceed the noise, a time, lag or drift is left out, a factor lies outside the searched range, or an input would be refused</source>
-            <translation>модель не подходит: остаётся больше случайного, не учтён сдвиг, запаздывание или дрейф, множитель вне пределов поиска или исходные данные с ним недопустимы</translation>
+            <source>the model does not fit: the residuals exceed the noise, a time, lag or drift is left out, a value lies outside its usual range, or an input would be refused</source>
+            <translation>модель не подходит: остаётся больше случайного, не учтён сдвиг, запаздывание или дрейф, значение вне обычного диапазона или исходные данные с ним недопустимы</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -19226,6 +19226,10 @@ good</source>
         <message>
             <source>Does not fit: %1: residuals %2 times the noise; by chance up to %3: %4.</source>
             <translation>Не подходит: %1: в %2 раза больше того, что оставляет шум; случайно — не более чем в %3: %4.</translation>
+        </message>
+        <message>
+            <source>Does not fit: %1: %2; usual: %3.</source>
+            <translation>Не подходит: %1: %2; обычно: %3.</translation>
         </message>
         <message>
             <source>%1 %2 at %3 s</source>

@@ -39,6 +39,10 @@ constexpr Output<FittedValue> valueRows[] = {
     {{.key = "unit", .hint = "empty for a factor"},
      [](const FittedValue& v) { return std::string(unitOf(v.parameter.kind)); }},
     {{.key = "interval_95"}, [](const FittedValue& v) { return std::optional(v.interval95); }},
+    {{.key = "usual_range", .hint = "none of the clock and the zero of the traces"},
+     [](const FittedValue& v) { return v.usual; }},
+    {{.key = "in_doubt", .hint = "outside its usual range, so that the model does not fit"},
+     [](const FittedValue& v) { return !v.isUsual(); }},
 };
 
 constexpr Output<FitResiduals> residualsRows[] = {
@@ -417,8 +421,8 @@ MeasuredWords wordsOf(IdentificationStatus status) {
         return {"does_not_fit",
                 SPARKOUT_NOOP("Measured",
                               "the model does not fit: the residuals exceed the noise, a time, lag "
-                              "or drift is left out, a factor lies outside the searched range, or "
-                              "an input would be refused")};
+                              "or drift is left out, a value lies outside its usual range, or an "
+                              "input would be refused")};
     case IdentificationStatus::stopped: break;
     }
     return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};
@@ -568,21 +572,6 @@ const char* overRangeAdvice() {
     return SPARKOUT_NOOP("Measured", "readings so far beyond all others come from a sensor at the "
                                      "end of its range: leave them out, or give outliers less "
                                      "weight");
-}
-
-const char* unitOf(FittedKind kind) {
-    switch (kind) {
-    case FittedKind::idle_power: return "kW";
-    case FittedKind::size_offset:
-    case FittedKind::gauge_setting:
-    case FittedKind::blank_runout: return "mm";
-    case FittedKind::time_shift:
-    case FittedKind::power_delay:
-    case FittedKind::force_delay:
-    case FittedKind::gauge_lag: return "s";
-    case FittedKind::gauge_drift: return "mm/min";
-    default: return "";
-    }
 }
 
 const char* unitOf(HoldOutQuantity quantity) {

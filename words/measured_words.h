@@ -72,8 +72,6 @@ struct MeasuredWords {
 /// In English, like the others.
 [[nodiscard]] const char* textOf(AdequacyVerdict verdict);
 
-/// The unit of a parameter's value; empty for a factor.
-[[nodiscard]] const char* unitOf(FittedKind kind);
 [[nodiscard]] const char* unitOf(HoldOutQuantity quantity);
 /// The unit of the residuals of a source.
 [[nodiscard]] const char* unitOf(FitSource source);

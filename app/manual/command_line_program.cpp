@@ -337,8 +337,8 @@ std::vector<Option> measuredOptions() {
               "gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 has the mean and the "
               "standard "
               "deviation of what is known before; names what the data cannot tell and what "
-              "to measure; exit status 4 when the model does not fit, or a time, lag or drift that "
-              "it needs is left out",
+              "to measure; exit status 4 when the model does not fit, a time, lag or drift that it "
+              "needs is left out, or a value lies outside its usual range",
               "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
               "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
               "friction_power, "
@@ -347,8 +347,9 @@ std::vector<Option> measuredOptions() {
               "gauge_drift, по готовым деталям gauge_setting; beta=1.2~0.1 — с тем, что известно "
               "заранее: "
               "среднее и его стандартное отклонение; называет то, чего по данным определить "
-              "нельзя, и что измерить; код завершения 4, если модель не подходит или не учтён "
-              "нужный ей сдвиг, запаздывание или дрейф"}},
+              "нельзя, и что измерить; код завершения 4, если модель не подходит, не учтён нужный "
+              "ей "
+              "сдвиг, запаздывание или дрейф или значение лежит вне обычного диапазона"}},
         {.name = "--loss",
          .value = choice("none huber tukey"),
          .needs = "--fit",

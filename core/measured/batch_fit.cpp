@@ -349,7 +349,7 @@ private:
         if (m_result.unidentified.empty()) {
             addValues(told.covariance);
         }
-        if (isLacking() || isAtEnd()) {
+        if (isLacking()) {
             m_result.status = IdentificationStatus::doesNotFit;
         } else if (!m_result.unidentified.empty()) {
             m_result.status = IdentificationStatus::cannotTell;
@@ -363,12 +363,6 @@ private:
             least = one.deviation_um ? std::min(least, one.count - 1) : least;
         }
         return std::isfinite(least) ? std::max(1.0, least) : manyParts;
-    }
-
-    /// Whether the best is where the search ends: the valley lies beyond.
-    [[nodiscard]] bool isAtEnd() const {
-        return std::ranges::any_of(m_at,
-                                   [](double factor) { return std::abs(factor) > range - finest; });
     }
 
     /// Tests the model: with more means than parameters, the sum of squared residuals is about the
@@ -454,7 +448,8 @@ private:
     }
 
     static constexpr int scanned = 40;
-    static constexpr double range = 3; ///< of the logarithms: factors of 20 and 1/20
+    /// Of the logarithms: factors of 20 and 1/20, the widest usual range, and a little more.
+    static constexpr double range = 3;
     static constexpr double finest = 0.002, manyParts = 1e6;
     static constexpr std::size_t fewParts = 10;
 

@@ -4,6 +4,7 @@
 #include "core/measured/cycle_response.h"
 #include "core/measured/fit_problem.h"
 #include "core/process/force.h"
+#include "core/process/profile.h"
 #include "core/project/machine.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -127,67 +130,106 @@ std::vector<TraceComparison> compareTraces(const Project& project,
     return found;
 }
 
+namespace {
+
+/// What a parameter belongs to.
+enum class ParameterRole {
+    depthFactor, ///< a factor of an input on which the depths of cut depend
+    powerFactor, ///< a factor of an input that acts on the power alone
+    input,       ///< an input by its value
+    trace,       ///< of the traces
+    recorder     ///< of the traces, as their recorder leaves them
+};
+
+/// A row of the table of parameters. The reasons of the usual ranges stand in MODEL-13.
+struct ParameterRow {
+    FittedKind kind;
+    const char* key;
+    const char* unit;
+    ParameterRole role;
+    double plausible; ///< distance beyond which it counts as unknown
+    Interval usual;   ///< its value; of the setting of the gauge the difference from the project's
+};
+
+constexpr Interval within(double factor) {
+    return {1 / factor, factor};
+}
+
+/// Of the traces' clock and zero, which are set anywhere: a size may be recorded as a diameter.
+constexpr Interval anywhere{-std::numeric_limits<double>::infinity(),
+                            std::numeric_limits<double>::infinity()};
+
+constexpr ParameterRow parameterRows[] = {
+    {FittedKind::alpha, "alpha", "", ParameterRole::depthFactor, 2, within(20)},
+    {FittedKind::beta, "beta", "", ParameterRole::depthFactor, 2, within(20)},
+    {FittedKind::compliance, "compliance", "", ParameterRole::depthFactor, 2, within(10)},
+    {FittedKind::flow_stress, "flow_stress", "", ParameterRole::depthFactor, 2, within(4)},
+    {FittedKind::dullness, "dullness", "", ParameterRole::depthFactor, 2, within(10)},
+    {FittedKind::chip_power, "chip_power", "", ParameterRole::powerFactor, 2, within(4)},
+    {FittedKind::friction_power, "friction_power", "", ParameterRole::powerFactor, 2, within(20)},
+    {FittedKind::idle_power, "idle_power", "kW", ParameterRole::trace, 1, {-1, 25}},
+    {FittedKind::size_offset, "size_offset", "mm", ParameterRole::recorder, 0.1, anywhere},
+    {FittedKind::time_shift, "time_shift", "s", ParameterRole::recorder, 1, anywhere},
+    {FittedKind::power_delay, "power_delay", "s", ParameterRole::recorder, 1, {-2, 2}},
+    {FittedKind::force_delay, "force_delay", "s", ParameterRole::recorder, 1, {-2, 2}},
+    {FittedKind::blank_runout, "blank_runout", "mm", ParameterRole::input, 2, {0, 0.5}},
+    {FittedKind::gauge_lag, "gauge_lag", "s", ParameterRole::recorder, 1, {-0.2, 2}},
+    {FittedKind::gauge_drift, "gauge_drift", "mm/min", ParameterRole::recorder, 0.1, {-0.1, 0.1}},
+    {FittedKind::gauge_setting, "gauge_setting", "mm", ParameterRole::input, 0.1, {-0.1, 0.1}},
+};
+
+static_assert(std::size(parameterRows) == static_cast<std::size_t>(FittedKind::count_)
+                  && std::ranges::is_sorted(parameterRows, std::less_equal{}, &ParameterRow::kind),
+              "one row for each parameter, in the order of the kinds");
+
+const ParameterRow& parameterRow(FittedKind kind) {
+    return parameterRows[static_cast<std::size_t>(kind)];
+}
+
+} // namespace
+
 bool isFactor(FittedKind kind) {
-    return !isOfRecorder(kind) && kind != FittedKind::idle_power && kind != FittedKind::blank_runout
-           && kind != FittedKind::gauge_setting && kind != FittedKind::count_;
+    return actsOnDepths(kind) || parameterRow(kind).role == ParameterRole::powerFactor;
 }
 
 bool actsOnDepths(FittedKind kind) {
-    return isFactor(kind) && kind != FittedKind::chip_power && kind != FittedKind::friction_power;
+    return parameterRow(kind).role == ParameterRole::depthFactor;
 }
 
 bool isOfRecorder(FittedKind kind) {
-    switch (kind) {
-    case FittedKind::size_offset:
-    case FittedKind::time_shift:
-    case FittedKind::power_delay:
-    case FittedKind::force_delay:
-    case FittedKind::gauge_lag:
-    case FittedKind::gauge_drift: return true;
-    default: return false;
-    }
+    return parameterRow(kind).role == ParameterRole::recorder;
 }
 
 bool isInput(FittedKind kind) {
-    return !isOfRecorder(kind) && kind != FittedKind::idle_power;
+    return isFactor(kind) || parameterRow(kind).role == ParameterRole::input;
 }
 
 double plausibleRange(FittedKind kind) {
-    constexpr double ratio = 2, offset_mm = 0.1, shift_s = 1, idle_kw = 1;
-    switch (kind) {
-    case FittedKind::idle_power: return idle_kw;
-    case FittedKind::size_offset:
-    case FittedKind::gauge_drift:
-    case FittedKind::gauge_setting: return offset_mm;
-    case FittedKind::time_shift:
-    case FittedKind::power_delay:
-    case FittedKind::force_delay:
-    case FittedKind::gauge_lag: return shift_s;
-    default: return ratio;
-    }
+    return parameterRow(kind).plausible;
 }
 
 const char* keyOf(FittedKind kind) {
-    switch (kind) {
-    case FittedKind::alpha: return "alpha";
-    case FittedKind::beta: return "beta";
-    case FittedKind::compliance: return "compliance";
-    case FittedKind::flow_stress: return "flow_stress";
-    case FittedKind::dullness: return "dullness";
-    case FittedKind::chip_power: return "chip_power";
-    case FittedKind::friction_power: return "friction_power";
-    case FittedKind::idle_power: return "idle_power";
-    case FittedKind::size_offset: return "size_offset";
-    case FittedKind::time_shift: return "time_shift";
-    case FittedKind::power_delay: return "power_delay";
-    case FittedKind::force_delay: return "force_delay";
-    case FittedKind::blank_runout: return "blank_runout";
-    case FittedKind::gauge_lag: return "gauge_lag";
-    case FittedKind::gauge_drift: return "gauge_drift";
-    case FittedKind::gauge_setting: return "gauge_setting";
-    case FittedKind::count_: break;
+    return parameterRow(kind).key;
+}
+
+const char* unitOf(FittedKind kind) {
+    return parameterRow(kind).unit;
+}
+
+std::optional<Interval> usualRange(const Project& project, FittedKind kind, bool hasTraces) {
+    Interval usual = parameterRow(kind).usual;
+    if (!std::isfinite(usual.low)) {
+        return std::nullopt;
     }
-    return "";
+    if (kind == FittedKind::gauge_setting) {
+        const double setting_mm = 2 * targetRadius(*project.part);
+        usual = {setting_mm + usual.low, setting_mm + usual.high};
+    }
+    if (hasTraces && actsOnDepths(kind)) {
+        const Interval searched = within(mostSearchedFactor);
+        usual = {std::max(usual.low, searched.low), std::min(usual.high, searched.high)};
+    }
+    return usual;
 }
 
 bool areApplicable(const Project& project, const std::vector<FittedParameter>& list) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/result.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -61,6 +62,19 @@ struct FittedParameter {
 [[nodiscard]] double plausibleRange(FittedKind kind);
 /// The key on the command line and in JSON, "time_shift".
 [[nodiscard]] const char* keyOf(FittedKind kind);
+/// The unit of its value; empty for a factor.
+[[nodiscard]] const char* unitOf(FittedKind kind);
+
+/// A fit of traces starts at factors within this ratio; results beyond it are not used, and the
+/// inputs should be improved first.
+inline constexpr double mostSearchedFactor = 4;
+
+/// The values that a parameter of this project usually has, in its unit: a fit that leaves them is
+/// not used. Of a fit with traces, which are searched less far than finished parts, the factors of
+/// the depths of cut lie within `mostSearchedFactor`, too. Empty for the clock and the zero of the
+/// traces, which are set anywhere.
+[[nodiscard]] std::optional<Interval> usualRange(const Project& project, FittedKind kind,
+                                                 bool hasTraces);
 
 /// Whether all these parameters apply to the project, and none is given twice: compliances only of
 /// places with their own, no runout of a measured blank, no α and β of a wheel contact.

@@ -159,7 +159,7 @@ std::vector<double> robustWeights(const std::vector<double>& residuals, RobustLo
 namespace {
 
 /// The unit of an offset's coordinate.
-double unitOf(FittedKind kind) {
+double coordinateUnit(FittedKind kind) {
     constexpr double offset_mm = 1e-3, shift_s = 0.1, idle_kw = 0.1;
     switch (kind) {
     case FittedKind::size_offset:
@@ -247,11 +247,11 @@ void FitProblem::setSteps(std::vector<int> stepsByStage) {
 }
 
 double FitProblem::valueOf(FittedKind kind, double q) {
-    return isLogarithm(kind) ? std::exp(q) : q * unitOf(kind);
+    return isLogarithm(kind) ? std::exp(q) : q * coordinateUnit(kind);
 }
 
 double FitProblem::coordinateOf(FittedKind kind, double value) {
-    return isLogarithm(kind) ? std::log(value) : value / unitOf(kind);
+    return isLogarithm(kind) ? std::log(value) : value / coordinateUnit(kind);
 }
 
 double FitProblem::derivativeStep(FittedKind kind) {
@@ -466,7 +466,8 @@ double FitProblem::startOfShift(Scalars scalars) const {
 /// The delay with the best correlation of measured and predicted values, whatever their scale.
 double FitProblem::startOfDelay(FitSource source, Scalars scalars) const {
     constexpr int tries = 40;
-    constexpr double farthest_s = 2;
+    const double farthest_s =
+        usualRange(m_project, FittedKind::power_delay, true).value_or(Interval()).high;
     double best = 0, closest = 0;
     for (int i = 0; i <= 2 * tries && !isStopped(); ++i) {
         // 0 is tried first, and kept if nothing is better.

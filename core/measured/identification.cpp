@@ -70,7 +70,7 @@ public:
             for (std::size_t i = 0; i < m_best.q.size(); ++i) {
                 errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
             }
-            if (lacks() || isBeyondSearch()) {
+            if (lacks()) {
                 m_result.status = IdentificationStatus::doesNotFit;
             }
             LeftOut left = outOfStep(m_project, m_data, m_problem, m_best, errors, m_stop);
@@ -434,16 +434,6 @@ private:
             m_result.residuals, [](const FitResiduals& group) { return group.lack.isLacking(); });
     }
 
-    [[nodiscard]] bool isBeyondSearch() const {
-        bool isBeyond = false;
-        for (std::size_t i = 0; i < m_best.q.size(); ++i) {
-            isBeyond = isBeyond
-                       || (actsOnDepths(m_request.parameters[i].kind)
-                           && std::abs(m_best.q[i]) > std::log(mostSearchedFactor));
-        }
-        return isBeyond;
-    }
-
     /// Student's quantile of the intervals.
     [[nodiscard]] double student() const {
         const auto count = static_cast<double>(m_request.parameters.size());
@@ -712,9 +702,9 @@ void addForceLaw(const Project& project, const std::stop_token& stop, Identifica
     }
 }
 
-/// Adds the new issues of validate() for the inputs with these values: refused values mean that the
-/// model does not fit.
-void judgeInputs(const Project& project, Identification& found) {
+/// Adds the usual ranges of the values, and the new issues of validate() for the inputs with them:
+/// values outside these ranges, or refused, mean that the model does not fit.
+void judgeValues(const Project& project, Identification& found) {
     const Issues before = validate(project);
     const Project calibrated = withCalibration(project, found, {}, {});
     for (Issue& issue : validate(calibrated)) {
@@ -723,6 +713,12 @@ void judgeInputs(const Project& project, Identification& found) {
                 issue.severity == Severity::error ? IdentificationStatus::doesNotFit : found.status;
             found.issues.push_back(std::move(issue));
         }
+    }
+    const bool hasTraces = std::ranges::any_of(
+        found.residuals, [](const FitResiduals& group) { return group.trace >= 0; });
+    for (FittedValue& value : found.values) {
+        value.usual = usualRange(project, value.parameter.kind, hasTraces);
+        found.status = value.isUsual() ? found.status : IdentificationStatus::doesNotFit;
     }
 }
 
@@ -758,7 +754,7 @@ Identification identify(const Project& project, const IdentificationRequest& req
     }
     if (onlyParts) {
         found = fitBatch(project, request, stop);
-        judgeInputs(project, found);
+        judgeValues(project, found);
         return found;
     }
     found = Identifier(project, request, stop).identify();
@@ -772,7 +768,7 @@ Identification identify(const Project& project, const IdentificationRequest& req
     if (!found.outOfStep.empty()) { // without these times the values are wrong
         found.status = IdentificationStatus::doesNotFit;
     }
-    judgeInputs(project, found);
+    judgeValues(project, found);
     addForceLaw(project, stop, found);
     return found;
 }

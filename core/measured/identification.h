@@ -34,7 +34,7 @@ enum class IdentificationStatus {
     notRun,        ///< the cycle of the project cannot be run
     notConverged,
     doesNotFit, ///< fitted, but the residuals exceed chance, a time is omitted, or a value lies
-                ///< outside its range: not to be used
+                ///< outside its usual range: not to be used
     stopped
 };
 
@@ -42,7 +42,12 @@ struct FittedValue {
     FittedParameter parameter;
     double value = 1;
     Interval interval95;
-    double error = 0; ///< standard error: of a factor relative to it
+    double error = 0;                ///< standard error: of a factor relative to it
+    std::optional<Interval> usual{}; ///< usualRange() of the parameter
+
+    [[nodiscard]] bool isUsual() const {
+        return !usual || (usual->low <= value && value <= usual->high);
+    }
 };
 
 /// A value of a trace with its time.
@@ -63,10 +68,6 @@ struct FitResiduals {
     std::size_t outliers = 0;              ///< lone outliers, with a lower weight in the judgement
     std::vector<TraceReading> overRange{}; ///< lone values beyond the range of all others
 };
-
-/// A fit of traces starts at factors within this ratio; results beyond it are not used, and the
-/// inputs should be improved first.
-inline constexpr double mostSearchedFactor = 4;
 
 struct Identification {
     IdentificationStatus status = IdentificationStatus::noData;

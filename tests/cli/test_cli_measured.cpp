@@ -249,6 +249,26 @@ private slots:
         QVERIFY2(with.status == 0 && QFile::exists(found), with.text().c_str());
     }
 
+    /// A wheel five times as dull as the file says: it is found, named and not saved.
+    void aValueOutsideItsUsualRangeIsRefused() {
+        const QString file = save("plunge.sparkout", yielding().dump());
+        const QString found = m_folder.filePath(QStringLiteral("unusual.sparkout"));
+        const QStringList fit{"measured", file,
+                              "--data",   save("dull.csv", traces(yielding(), 1, 5.2)),
+                              "--fit",    "dullness,size_offset,idle_power",
+                              "-o",       found};
+        const Outcome text = run(fit);
+        QVERIFY2(text.status == 4, text.text().c_str());
+        QVERIFY2(has(text.out, "does not fit: dullness: 5.") && has(text.out, "; usual: 0.25"),
+                 text.out.c_str());
+        QVERIFY2(has(text.err, "not saved") && !QFile::exists(found), text.err.c_str());
+        const json values =
+            json::parse(run(fit + QStringList{"--json"}).out).at("identification").at("values");
+        QVERIFY(values[0].at("in_doubt").get<bool>() && !values[1].at("in_doubt").get<bool>());
+        QCOMPARE(values[0].at("usual_range")[1].get<double>(), 4.0);
+        QVERIFY(values[1].at("usual_range").is_null());
+    }
+
     void aReadingOverRangeIsNamed() {
         const QString file = save("plunge.sparkout", yielding().dump());
         const std::string table = withSpike(traces(yielding(), 1.2, 0.9), 9.5);

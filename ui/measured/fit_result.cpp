@@ -109,6 +109,11 @@ QString FitResult::words() const {
                       ? tr("No values: %1.").arg(FitWords::status(m_result.status))
                       : tr("Not to be used: %1.").arg(FitWords::status(m_result.status)));
     }
+    for (const FittedValue& value : m_result.values) {
+        if (!value.isUsual()) {
+            lines << FitWords::unusual(m_project, value);
+        }
+    }
     for (const FitResiduals& group : m_result.residuals) {
         for (const QString& fault :
              {FitWords::overRange(m_project, group), FitWords::lack(m_project, group)}) {

@@ -137,6 +137,15 @@ QString FitWords::lack(const Project& project, const FitResiduals& residuals) {
                  : tr("%1 (stage %2)").arg(unlike).arg(residuals.unlike.stage + 1));
 }
 
+QString FitWords::unusual(const Project& project, const FittedValue& value) {
+    const FittedKind kind = value.parameter.kind;
+    return value.isUsual() ? QString()
+                           : tr("Does not fit: %1: %2; usual: %3.")
+                                 .arg(parameter(project, value.parameter),
+                                      (number(kind, value.value) + u' ' + unit(kind)).trimmed(),
+                                      interval(kind, value.usual.value_or(Interval())));
+}
+
 QString FitWords::overRange(const Project& project, const FitResiduals& residuals) {
     QStringList readings;
     for (const TraceReading& one : residuals.overRange) {

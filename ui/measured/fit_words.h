@@ -41,6 +41,8 @@ public:
     static QString forceLaw(const ForceLawChoice& choice);
     /// The lack of fit of a trace, and its cause; empty if there is none.
     static QString lack(const Project& project, const FitResiduals& residuals);
+    /// A value outside its usual range; empty if it lies within.
+    static QString unusual(const Project& project, const FittedValue& value);
     /// Lone readings beyond the range of all others; empty if there are none.
     static QString overRange(const Project& project, const FitResiduals& residuals);
     static QString place(const Project& project, int place); ///< "RZ1", "Section 2"

@@ -6,6 +6,8 @@
 #include "core/measured/cycle_response.h"
 #include "core/measured/identification.h"
 #include "core/phases/phase_decision.h"
+#include "core/process/profile.h"
+#include "core/simulation/simulate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
@@ -179,6 +181,24 @@ private slots:
                             * std::sqrt(1 / 30.0 + ofPrediction_um * ofPrediction_um);
         QVERIFY(std::abs(found.values.front().interval95.high - found.values.front().value - half)
                 < 1e-9);
+    }
+
+    /// No gauge is set off by more than every field of a ground part.
+    void aSettingFarFromTheProjectsIsNotUsed() {
+        Project project = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
+        const SizesOverPhases sizes = sizesOverPhases(project, factorsOf(project));
+        MeasuredSummary summary;
+        summary.place = *project.gauge->section;
+        summary.count = 30;
+        summary.deviation_um = 1;
+        for (const double off_um : {90.0, 110.0}) {
+            summary.mean_um = sizes.means_um[static_cast<std::size_t>(summary.place)] + off_um;
+            project.measured.emplace().summaries = {summary};
+            const Identification found = fit(project, {FittedKind::gauge_setting});
+            QCOMPARE(found.values.size(), std::size_t{1});
+            QCOMPARE(found.values.front().isUsual(), off_um < 100);
+            QVERIFY2(off_um < 100 || found.status == IdentificationStatus::doesNotFit, said(found));
+        }
     }
 
     void zonesThatContradictTheShaftDoNotFit() {

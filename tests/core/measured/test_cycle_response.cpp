@@ -139,6 +139,33 @@ private slots:
         QCOMPARE(keys.size(), static_cast<std::size_t>(FittedKind::count_));
         QVERIFY(!keys.contains(""));
     }
+
+    /// The project's own values are usual, and traces leave the factors of the depths of cut less
+    /// room than finished parts, which need 8.5 times β for a published table.
+    void whatTheProjectHasIsUsual() {
+        const Project project = measured_cycles::yieldingPlunge();
+        for (int i = 0; i < static_cast<int>(FittedKind::count_); ++i) {
+            const auto kind = static_cast<FittedKind>(i);
+            const auto ofParts = usualRange(project, kind, false);
+            const auto ofTraces = usualRange(project, kind, true);
+            const bool isAnywhere =
+                kind == FittedKind::time_shift || kind == FittedKind::size_offset;
+            QCOMPARE(ofParts.has_value(), !isAnywhere);
+            QCOMPARE(ofTraces.has_value(), !isAnywhere);
+            if (isAnywhere) {
+                continue;
+            }
+            const double own = kind == FittedKind::blank_runout    ? project.part->initial_runout_mm
+                               : kind == FittedKind::gauge_setting ? 2 * targetRadius(*project.part)
+                                                                   : isFactor(kind);
+            QVERIFY2(ofTraces->low <= own && own <= ofTraces->high, keyOf(kind));
+            QVERIFY2(ofParts->low <= ofTraces->low && ofTraces->high <= ofParts->high, keyOf(kind));
+            if (actsOnDepths(kind)) {
+                QCOMPARE(ofTraces->high, mostSearchedFactor);
+            }
+        }
+        QVERIFY(usualRange(project, FittedKind::beta, false)->high > 8.5);
+    }
 };
 
 } // namespace sparkout::test_cycle_response

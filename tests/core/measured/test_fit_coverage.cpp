@@ -3,7 +3,8 @@
 // A fit is never sure and wrong: traces disturbed as recorders disturb them, each fitted with the
 // parameters that are proposed for it; answers hold the truth, the others are refused. The whole
 // count: QTEST_FUNCTION_TIMEOUT=99999999 SPARKOUT_COVERAGE_SETS=300 ./workbench test
-// test_fit_coverage
+// test_fit_coverage, which takes an hour. In pieces: SPARKOUT_COVERAGE_SETS=50 with
+// SPARKOUT_COVERAGE_FROM=0, 50, … 250; each prints the same lines, whose numbers add up.
 #include "core/measured/cycle_response.h"
 #include "core/measured/fit_data.h"
 #include "core/measured/identification.h"
@@ -14,6 +15,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <mutex>
 #include <random>
 #include <string>
 #include <thread>
@@ -125,27 +127,44 @@ MeasuredTrace recorded(TraceQuantity quantity, const Record& cycle, const Distur
     return made;
 }
 
-/// Whether a refused fit says by what: a time left out, residuals beyond noise, a factor beyond the
-/// search, an input that would be refused, or what the data cannot tell.
+/// Whether a refused fit says by what: a time left out, residuals beyond noise, a value outside its
+/// usual range, an input that would be refused, or what the data cannot tell.
 bool namesItsCause(const Identification& found) {
     const auto isLacking = [](const FitResiduals& group) { return group.lack.isLacking(); };
-    const auto isBeyond = [](const FittedValue& value) {
-        return actsOnDepths(value.parameter.kind)
-               && std::abs(std::log(value.value)) > std::log(mostSearchedFactor);
-    };
+    const auto isUnusual = [](const FittedValue& value) { return !value.isUsual(); };
     return !found.outOfStep.empty() || !found.unidentified.empty() || hasErrors(found.issues)
            || std::ranges::any_of(found.residuals, isLacking)
-           || std::ranges::any_of(found.values, isBeyond);
+           || std::ranges::any_of(found.values, isUnusual);
 }
 
-/// What the sets of one disturbance came to.
+/// What sets came to.
 struct Count {
     int answers = 0, held = 0; ///< α and β each
     int lacking = 0, untold = 0, far = 0, sets = 0;
     int leftOut = 0;     ///< of the lacking ones, those that name a time, lag or drift
     int unnamed = 0;     ///< of the lacking and untold ones, those that name no cause
     std::string farOnes; ///< their seeds
+
+    Count& operator+=(const Count& other) {
+        for (int Count::*const number :
+             {&Count::answers, &Count::held, &Count::lacking, &Count::untold, &Count::far,
+              &Count::sets, &Count::leftOut, &Count::unnamed}) {
+            this->*number += other.*number;
+        }
+        farOnes += other.farOnes;
+        return *this;
+    }
 };
+
+/// Prints a count as one line, from any thread.
+void print(const char* name, const Count& count) {
+    static std::mutex one;
+    const std::scoped_lock lock(one);
+    qInfo("%-20s sets %d, answers of alpha and beta %d, held %d, off by five errors %d, does not "
+          "fit %d, cannot tell %d, left out %d, unnamed %d%s",
+          name, count.sets, count.answers, count.held, count.far, count.lacking, count.untold,
+          count.leftOut, count.unnamed, count.farOnes.c_str());
+}
 
 class TestFitCoverage : public QObject {
     Q_OBJECT
@@ -241,6 +260,9 @@ private slots:
     /// A machine that yields more or less than the project says: what is fitted is right, or is
     /// refused.
     void noFitOnAnotherMachineIsSureAndWrong() {
+        if (qEnvironmentVariableIntValue("SPARKOUT_COVERAGE_FROM") > 0) {
+            QSKIP("counted with the first piece");
+        }
         const bool isWhole = qEnvironmentVariableIntValue("SPARKOUT_COVERAGE_SETS") > 0;
         const auto cycles = static_cast<std::size_t>(isWhole ? 90 : samples::sized(4, 2, 30));
         const std::uint32_t seeds = isWhole ? 3 : 1;
@@ -257,17 +279,10 @@ private slots:
             }
         });
         Count all;
-        std::string far;
         for (const Count& count : counts) {
-            all.answers += count.answers;
-            all.held += count.held;
-            all.sets += count.sets;
-            all.far += count.far;
-            far += count.farOnes;
+            all += count;
         }
-        qInfo("another machine: α and β held in %d of %d answers of %d sets; %d off by more than "
-              "five errors%s",
-              all.held, all.answers, all.sets, all.far, far.c_str());
+        print("another machine", all);
         QVERIFY(all.answers > 0);
         QCOMPARE(all.far, 0);
         QVERIFY(clopperPearson(all.held, all.answers, 0.95).high >= 0.93);
@@ -275,7 +290,10 @@ private slots:
 
     void answersHoldAndTheOthersAreRefused() {
         const int asked = qEnvironmentVariableIntValue("SPARKOUT_COVERAGE_SETS");
+        const int first = qEnvironmentVariableIntValue("SPARKOUT_COVERAGE_FROM");
         const int sets = asked > 0 ? asked : samples::sized(1, 1, 10);
+        constexpr int seedsOfEach = 1000;
+        QVERIFY(first >= 0 && first + sets <= seedsOfEach);
         std::vector<std::size_t> chosen;
         for (std::size_t d = 0; d < std::size(disturbances); ++d) {
             if (sets > 1 || d % 4 == 1) { // of a short run every fourth
@@ -285,34 +303,19 @@ private slots:
         std::vector<Count> counts(chosen.size());
         inParallel(chosen.size(), [&](std::size_t at) {
             const std::size_t d = chosen[at];
-            for (int set = 0; set < sets; ++set) {
-                fitOne(m_basis, disturbances[d], static_cast<std::uint32_t>(1000 * d + set),
+            for (int set = first; set < first + sets; ++set) {
+                fitOne(m_basis, disturbances[d], static_cast<std::uint32_t>(seedsOfEach * d + set),
                        counts[at]);
             }
+            print(disturbances[d].name, counts[at]);
         });
         Count all, undisturbed;
         for (std::size_t at = 0; at < chosen.size(); ++at) {
-            const Disturbance& how = disturbances[chosen[at]];
-            const Count& count = counts[at];
-            qInfo("%-20s α and β held in %2d of %2d answers; of %d sets %d do not fit, %d cannot "
-                  "tell, %d name what was left out, %d name nothing; %d off by more than five "
-                  "errors%s",
-                  how.name, count.held, count.answers, count.sets, count.lacking, count.untold,
-                  count.leftOut, count.unnamed, count.far, count.farOnes.c_str());
-            for (Count* const sum : {&all, how.isUndisturbed ? &undisturbed : nullptr}) {
-                if (sum) {
-                    sum->answers += count.answers;
-                    sum->held += count.held;
-                    sum->lacking += count.lacking;
-                    sum->sets += count.sets;
-                    sum->far += count.far;
-                    sum->unnamed += count.unnamed;
-                }
-            }
+            all += counts[at];
+            undisturbed += disturbances[chosen[at]].isUndisturbed ? counts[at] : Count();
         }
-        qInfo("%d of %d answers hold, %d are off by more than five errors; of %d undisturbed sets "
-              "%d do not fit",
-              all.held, all.answers, all.far, undisturbed.sets, undisturbed.lacking);
+        print("all", all);
+        print("undisturbed", undisturbed);
         QVERIFY(all.answers > 0);
         QCOMPARE(all.far, 0);
         QCOMPARE(all.unnamed, 0);

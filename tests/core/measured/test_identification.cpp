@@ -112,7 +112,35 @@ private slots:
         const Identification result = identify(
             project, {.parameters = {of(FittedKind::compliance), of(FittedKind::size_offset)}});
         QVERIFY2(result.status == IdentificationStatus::doesNotFit, said(result));
+        QVERIFY(!result.values[0].isUsual() && result.values[1].isUsual());
         QVERIFY(withCalibration(project, result, "x", "y").measured.isSharedWith(project.measured));
+    }
+
+    /// The residuals are those of the right model, but no chips need so much power: it is in
+    /// another unit, or of another wheel.
+    void aValueOutsideItsUsualRangeIsNotUsed() {
+        for (const double factor : {3.5, 4.5}) {
+            Project project = yieldingPlunge();
+            Project truth = project;
+            truth.material->shear_strain *= factor;
+            project.measured.emplace().traces = {
+                trace(TraceQuantity::wheel_power, record(truth), {.offset = 0.75})};
+            const Identification result = identify(
+                project, {.parameters = {of(FittedKind::chip_power), of(FittedKind::friction_power),
+                                         of(FittedKind::idle_power)}});
+            const bool isUsual = factor < usualRange(project, FittedKind::chip_power, true)->high;
+            QVERIFY2(near(result, FittedKind::chip_power, factor, 1e-5), said(result));
+            QVERIFY(!result.residuals.front().lack.isLacking());
+            QVERIFY2(
+                result.status
+                    == (isUsual ? IdentificationStatus::fitted : IdentificationStatus::doesNotFit),
+                said(result));
+            QCOMPARE(result.values[0].isUsual(), isUsual);
+            QVERIFY(result.values[1].isUsual() && result.values[2].isUsual());
+            QCOMPARE(
+                withCalibration(project, result, "x", "y").measured.isSharedWith(project.measured),
+                !isUsual);
+        }
     }
 
     /// A gauge that follows late, or drifts, is found with its parameter, and said without.

@@ -172,6 +172,20 @@ private slots:
         QVERIFY(std::abs(*a->logDeterminant - *b->logDeterminant - 4 * std::log(2)) < 1e-6);
     }
 
+    /// A record without noise would promise an exact factor; no machine repeats feed and speed so.
+    void noRecordPromisesMoreThanTheMachineRepeats() {
+        TrialRequest request{{of(FittedKind::alpha), of(FittedKind::beta)}, {}};
+        request.noise.size_mm = 1e-9;
+        const TrialDesign design = designTrial(plunge(), request);
+        const Trial* const trial = find(design, 1, TrialSparkOut::untilSettled, TrialRecord::size);
+        QCOMPARE(trial->expected.size(), std::size_t{2});
+        for (const TrialExpectation& expected : trial->expected) {
+            QVERIFY(expected.error < 1e-4);
+            const double half = std::log(expected.high / expected.low) / 2;
+            QVERIFY2(std::abs(half / 0.0196 - 1) < 1e-2, QByteArray::number(half).constData());
+        }
+    }
+
     /// To first order in the noise fits of trials scatter by the expected error: with a twentieth
     /// of the usual noise within what the scatter of a standard deviation of so many allows (99.9
     /// %). With the usual one, of which α has an error of 0.23 and scatters by a fifth more, the

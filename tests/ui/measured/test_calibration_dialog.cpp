@@ -153,7 +153,8 @@ private slots:
         });
     }
 
-    /// A power in a wrong unit: a good fit whose friction no project may have.
+    /// A power in a wrong unit: a good fit with factors that are never so large, and whose friction
+    /// no project may have.
     void valuesThatWouldBeRefusedAreNotTaken() {
         Bench bench(QStringLiteral("en"));
         Project project = traced::project(true);
@@ -174,6 +175,10 @@ private slots:
             QVERIFY2(fault.contains(QStringLiteral("cannot be applied"))
                          && fault.contains(QStringLiteral("Friction")),
                      qPrintable(fault));
+            const QString words = part<QLabel>(dialog, "fitWords")->text();
+            QVERIFY2(words.contains(QStringLiteral("Not to be used: the model does not fit"))
+                         && words.contains(QStringLiteral("; usual: 0.25…4.")),
+                     qPrintable(words));
             QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
         });
         QVERIFY(!bench.window->document().canUndo());
