@@ -5100,6 +5100,18 @@ With another name both versions stay as they are.</source>
             <translation>На сколько больше показывает прибор активного контроля с каждым часом после настройки. По нему смещается партия с фактором этого времени.</translation>
         </message>
         <message>
+            <source>Delay of the machine's gauge</source>
+            <translation>Запаздывание прибора станка</translation>
+        </message>
+        <message>
+            <source>Time from the reading of the machine's gauge to its command, where the gauge delay itself is not given.</source>
+            <translation>Время от показания прибора станка до его команды, если само запаздывание прибора не задано.</translation>
+        </message>
+        <message>
+            <source>that of the machine's gauge, or none</source>
+            <translation>как у прибора станка, иначе нет</translation>
+        </message>
+        <message>
             <source>Random error of the gauge</source>
             <translation>Случайная погрешность прибора</translation>
         </message>

@@ -14,6 +14,7 @@
 #include "core/search/grid.h"
 #include "core/search/time_bound.h"
 #include "core/search/variants.h"
+#include "core/simulation/stage_control.h"
 #include "core/study/starting_cycle.h"
 #include "core/study/starting_numbers.h"
 #include "core/units.h"
@@ -162,6 +163,14 @@ private:
         return strokesAndDwells_s(m_project, axial) / units::secondsPerMinute;
     }
 
+    /// The most that finishing feeds beyond the reading that ends it [mm].
+    [[nodiscard]] double fedLate_mm() const {
+        const double turn_min = 1 / m_project.machine->work_speed_rpm;
+        const double step_min = isPlunge() ? turn_min : doubleStroke_min(m_finish);
+        return lateSteps(m_project, step_min * units::secondsPerMinute)
+               * (isPlunge() ? plungeFinish().high * turn_min : strokeFinish().high);
+    }
+
     [[nodiscard]] FeedRange plungeRough() const {
         constexpr double ofBore = 0.5;
         const Part& part = *m_project.part;
@@ -275,7 +284,7 @@ private:
         const double low_mm = std::min(onStep(std::max(least_mm, ofNow * now_mm)), high_mm);
         std::vector<std::vector<double>> rows{{step_mm, all_mm}, {low_mm, high_mm}};
         if (m_sparkOut > 0) {
-            rows.push_back({0, sparkOut_mm});
+            rows.push_back({0, asWritten(sparkOut_mm + onStep(fedLate_mm()))});
         }
         search.stage_stock_mm = std::move(rows);
     }

@@ -25,8 +25,9 @@ namespace sparkout {
 ///   and its S_ax is at most 0.2, 0.25 or 0.35 B·n by the required roughness, as in a starting
 ///   cycle.
 /// * Finishing takes at least 15 µm and three quarters of its current stock, at most twice that; a
-///   spark-out takes at most 6 µm and lasts 3 s, its current time or half as long again, in whole
-///   revolutions, or two and three double strokes.
+///   spark-out takes at most 6 µm and what a late gauge lets finishing feed meanwhile, and lasts 3
+///   s, its current time or half as long again, in whole revolutions, or two and three double
+///   strokes.
 ///
 /// Stages that take stock have the usual overlap and steps, as with withPracticalLimits(). The
 /// project must be valid; where such a grid has no cycle the grid is that of withOfferedSearch().

@@ -10,6 +10,8 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/power.h"
+#include "core/search/time_bound.h"
+#include "core/simulation/stage_control.h"
 #include "core/study/starting_numbers.h"
 #include "core/surface/burn.h"
 #include "core/text.h"
@@ -281,7 +283,7 @@ private:
     [[nodiscard]] std::optional<double> burnLimit(double stock_mm) const;
     void limitRough(BoundDepth& depth, double width_mm, int passes) const;
     [[nodiscard]] double finishBelowBurn(double depth_mm) const;
-    [[nodiscard]] double sparkOutStock(double removed_mm, double infeed_mm) const;
+    [[nodiscard]] double sparkOutStock(double removed_mm, double infeed_mm, int late) const;
     [[nodiscard]] double finishStock(double wanted_mm) const;
     [[nodiscard]] Trial made(const BoundDepth& depth, Stage rough, Stage finish,
                              Stage sparkOut) const;
@@ -339,11 +341,12 @@ double Rule::finishBelowBurn(double depth_mm) const {
     return burn_mm ? std::min(depth_mm, starting::finishOfBurn * *burn_mm) : depth_mm;
 }
 
-/// The stock of a spark-out [mm]: its removal, plus half a step of finishing, whose end is
-/// uncertain by a step; at most a quarter of a small stock.
-double Rule::sparkOutStock(double removed_mm, double infeed_mm) const {
+/// The stock of a spark-out [mm]: its removal, plus the infeed of finishing beyond the reading that
+/// ends it, and half a step, by which that end is uncertain; at most a quarter of a small stock.
+double Rule::sparkOutStock(double removed_mm, double infeed_mm, int late) const {
     const double step = starting::stockStep;
-    const double stock_mm = std::max(step, std::round((removed_mm + infeed_mm / 2) / step) * step);
+    const double fed_mm = (late + 0.5) * infeed_mm;
+    const double stock_mm = std::max(step, std::round((removed_mm + fed_mm) / step) * step);
     return std::min(stock_mm, m_project.part->stock_mm / 4);
 }
 
@@ -417,10 +420,12 @@ Trial Rule::plunge() const {
     }
     Stage sparkOut;
     sparkOut.sparkOutFor(revolutions);
-    sparkOut.stock_mm = sparkOutStock(lag.removed(left, revolutions), infeed);
-    finish.stock_mm = finishStock(std::max<double>(
-        starting::leastFinishStock, starting::plungeLagStock * wornLag.steady(depth.depth_mm)
-                                        + starting::plungeStepsStock * infeed));
+    const int late = lateSteps(m_project, units::secondsPerMinute / n);
+    sparkOut.stock_mm = sparkOutStock(lag.removed(left, revolutions), infeed, late);
+    finish.stock_mm = finishStock(
+        std::max<double>(starting::leastFinishStock,
+                         starting::plungeLagStock * wornLag.steady(depth.depth_mm)
+                             + starting::plungeStepsStock * infeed + late * depth.depth_mm));
 
     Trial trial = made(depth, std::move(rough), std::move(finish), std::move(sparkOut));
     trial.cycle.usualDepth_mm = usual;
@@ -472,11 +477,15 @@ Trial Rule::traverse(double axialShare) const {
         --strokes;
     }
     sparkOut.sparkOutFor(strokes);
-    sparkOut.stock_mm = sparkOutStock(lag.removed(left, strokes), infeed);
-    finish.stock_mm = finishStock(std::max<double>(
-        starting::leastFinishStock, starting::strokeLagStock * wornLag.steady(depth.depth_mm)
-                                        + starting::strokeStepsStock * infeed
-                                        + starting::strokeRoughStock * depth.depth_mm));
+    const auto late = [this](const Stage& stage) {
+        return lateSteps(m_project, strokesAndDwells_s(m_project, *stage.axial_feed_mm_min));
+    };
+    sparkOut.stock_mm = sparkOutStock(lag.removed(left, strokes), infeed, late(finish));
+    finish.stock_mm = finishStock(
+        std::max<double>(starting::leastFinishStock,
+                         starting::strokeLagStock * wornLag.steady(depth.depth_mm)
+                             + starting::strokeStepsStock * infeed
+                             + (starting::strokeRoughStock + late(rough)) * depth.depth_mm));
 
     const double removal = depth.depth_mm * *rough.axial_feed_mm_min;
     Trial trial = made(depth, std::move(rough), std::move(finish), std::move(sparkOut));
