@@ -7342,6 +7342,10 @@ With another name both versions stay as they are.</source>
             <translation>{value} не принимает эту деталь; принимают станки каталога: {limit}</translation>
         </message>
         <message>
+            <source>this wheel usually leaves Ra {value}, more than required; the catalogue&apos;s wheel that suits: {limit}</source>
+            <translation>этот круг обычно даёт Ra {value}, грубее требуемой; подходит круг каталога: {limit}</translation>
+        </message>
+        <message>
             <source>no law given; expected one of {limit}</source>
             <translation>закон не задан; ожидается один из: {limit}</translation>
         </message>
@@ -16530,6 +16534,10 @@ target, µm</source>
             <translation>Черновая глубина резания обычная, %1.</translation>
         </message>
         <message>
+            <source>Wheel: %1.</source>
+            <translation>Круг: %1.</translation>
+        </message>
+        <message>
             <source>Its rough depth of cut, %1, is the machine&apos;s minimum and more than %2 allows; usual: %3.</source>
             <translation>Черновая глубина резания, %1, — наименьшая у станка и больше, чем допускает %2; обычная — %3.</translation>
         </message>
@@ -18901,6 +18909,18 @@ good</source>
         <message>
             <source>Place</source>
             <translation>Место</translation>
+        </message>
+        <message>
+            <source>Wheel</source>
+            <translation>Круг</translation>
+        </message>
+        <message>
+            <source>%1, %2 mm wide; it stays the wheel of all surfaces.</source>
+            <translation>%1, высота %2 мм; он остаётся кругом всех поверхностей.</translation>
+        </message>
+        <message>
+            <source>But %1.</source>
+            <translation>Но %1.</translation>
         </message>
         <message>
             <source>&amp;Add</source>

@@ -432,6 +432,50 @@ private slots:
         }
     }
 
+    /// A coarse wheel is advised against where Ra is required, with the wheel that is chosen
+    /// without a name; a measured Ra replaces the estimate, and a wheel that suits is kept.
+    void wheelThatLeavesTooGreatARaIsAdvisedAgainst() {
+        auto drawing = *drawingOf(*parseSizeDesignation("40h6"));
+        drawing.length_mm = 40;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 0.5;
+        Issues issues;
+        const auto usual = *startingEntries({}, drawing, issues);
+        const auto coarse = *startingEntries({{}, "14А F36 N", {}}, drawing, issues);
+        QVERIFY(wheelAdvice(startingProject(drawing, usual).start->project).empty());
+        Project project = startingProject(drawing, coarse).start->project;
+        const Issues advice = wheelAdvice(project);
+        QCOMPARE(advice.size(), std::size_t{1});
+        QVERIFY(!hasErrors(advice));
+        QCOMPARE(advice.front().path, std::string("/wheel/marking"));
+        QVERIFY(std::get<Keys>(advice.front().limit).keys
+                == std::vector<std::string>{usual.wheel.name});
+        const double said_um = std::get<Amount>(advice.front().value).number;
+        QVERIFY(said_um > 0.5 && std::abs(said_um - *usualRoughness(project) * 1e3) < 0.006);
+        QVERIFY(*usualRoughness(startingProject(drawing, usual).start->project) * 1e3 <= 0.5);
+        project.part->tolerance.roughness_ra_um = 1.6;
+        QVERIFY(wheelAdvice(project).empty());
+        project.part->tolerance.roughness_ra_um.reset();
+        QVERIFY(wheelAdvice(project).empty());
+        project.part->tolerance.roughness_ra_um = 0.5;
+        project.wheel->roughness_factor = 4; // measured: the wheel leaves less than half
+        QVERIFY(wheelAdvice(project).empty());
+    }
+
+    /// What a shop would take is never advised against.
+    void chosenWheelIsNotAdvisedAgainst() {
+        Random random(8);
+        for (int i = 0; i < 30; ++i) {
+            Drawn one = drawn(random, kinds[static_cast<std::size_t>(i) % kinds.size()]);
+            one.drawing.tolerance.roughness_ra_um = i % 2 == 0 ? 0.2 : 0.4;
+            one.entries.wheel =
+                usualWheel(one.drawing, one.entries.machine.value, one.entries.material.value);
+            if (const auto start = startingProject(one.drawing, one.entries).start) {
+                QVERIFY2(wheelAdvice(start->project).empty(), one.text.c_str());
+            }
+        }
+    }
+
     void whatTheMachineDoesNotTakeIsRefusedWithThoseThatDo() {
         auto drawing = *drawingOf(*parseSizeDesignation("300h8"));
         drawing.length_mm = 40;
