@@ -468,6 +468,7 @@ private slots:
         for (int i = 0; i < 30; ++i) {
             Drawn one = drawn(random, kinds[static_cast<std::size_t>(i) % kinds.size()]);
             one.drawing.tolerance.roughness_ra_um = i % 2 == 0 ? 0.2 : 0.4;
+            one.drawing.ends = {}; // as the plain shaft has them
             one.entries.wheel =
                 usualWheel(one.drawing, one.entries.machine.value, one.entries.material.value);
             if (const auto start = startingProject(one.drawing, one.entries).start) {
