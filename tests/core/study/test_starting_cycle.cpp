@@ -12,6 +12,7 @@
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/stage_control.h"
 #include "core/statistics/intervals.h"
 #include "core/study/starting_numbers.h"
 #include "core/study/starting_project.h"
@@ -300,6 +301,42 @@ private slots:
         const SimulationResult result = simulate(start.project);
         QCOMPARE(result.status, RunStatus::completed);
         QVERIFY2(result.time_s > 18 && result.time_s < 35, std::to_string(result.time_s).c_str());
+    }
+
+    /// What is fed until the command of a late gauge is left as stock: the size is that of a prompt
+    /// one but for a step of finishing, by which either may end sooner.
+    void lateGaugeChangesNoSize() {
+        Random random(21);
+        int later = 0;
+        for (int i = 0; i < 40; ++i) {
+            Drawn one = drawn(random, kinds[static_cast<std::size_t>(i) % kinds.size()]);
+            const auto startWith = [&one](double delay_s) {
+                one.entries.machine.value.gauge_delay_s = delay_s;
+                return startingProject(one.drawing, one.entries).start;
+            };
+            const auto prompt = startWith(0), late = startWith(0.3);
+            if (!prompt || !late) {
+                continue;
+            }
+            const auto& stages = prompt->project.cycle->stages;
+            const auto& lateStages = late->project.cycle->stages;
+            QVERIFY(lateStages[1].stock_mm >= stages[1].stock_mm);
+            QVERIFY(lateStages[2].stock_mm >= stages[2].stock_mm);
+            const SimulationResult a = simulate(prompt->project), b = simulate(late->project);
+            QCOMPARE(b.status, RunStatus::completed);
+            later += b.time_s > a.time_s ? 1 : 0;
+            const double step_mm = infeedsOfStages(prompt->project)[1];
+            const auto size_mm = [](const SimulationResult& run) {
+                const SectionResult& middle = run.sections[run.sections.size() / 2];
+                return (middle.diameterDeviationMin_mm + middle.diameterDeviationMax_mm) / 2;
+            };
+            const bool isCapped = lateStages[2].stock_mm > 0.24 * one.drawing.stock_mm;
+            QVERIFY2(isCapped
+                         || std::abs(size_mm(b) - size_mm(a))
+                                <= 2 * (step_mm + 2 * starting::stockStep),
+                     one.text.c_str());
+        }
+        QVERIFY(later > 20);
     }
 
     void stocksAddUpInTheSteps() {

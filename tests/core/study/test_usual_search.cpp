@@ -10,6 +10,7 @@
 #include "core/phases/sampled_phases.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
+#include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/operation.h"
@@ -174,6 +175,38 @@ private slots:
         QVERIFY(std::ranges::count(counts, 10) == 1 && std::ranges::count(counts, 15) == 1);
         QVERIFY(with.least_steps && with.least_overlap);
         QVERIFY(search.work_speed_rpm == Levels());
+    }
+
+    // What finishing feeds until the command of a late gauge is left to the spark-out.
+    void aLateGaugeIsGivenMoreStockOfSparkOut() {
+        Project p = journal();
+        p.machine->gauge_delay_s = 0.1; // a revolution
+        QVERIFY(p.machine->work_speed_rpm < 600);
+        p.part->tolerance.roughness_ra_um = 0.8;
+        const double fed_mm = 0.125 / p.machine->work_speed_rpm;
+        const Project with = usualSearch(p);
+        const double most_mm = with.optimisation->stage_stock_mm->at(2)[1];
+        QVERIFY(std::abs(most_mm - 0.006 - fed_mm) <= 0.0005001);
+    }
+
+    // A machine with numerical control can be fed while it travels.
+    void aNewProjectOnACncMachineSearchesTheContinuousInfeed() {
+        auto drawing = drawingOf(parseSizeDesignation("40h6").value()).value();
+        drawing.length_mm = 200;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 0.8;
+        for (const char* machine : {"3М151Ф2", "3М151"}) {
+            Issues issues;
+            const auto entries = startingEntries({machine, {}, {}}, drawing, issues);
+            const StartingAnswer answer = drawnProject(drawing, *entries);
+            QVERIFY(answer.start && answer.start->project.operation->travels);
+            const Project& project = answer.start->project;
+            QVERIFY(gaugeDelay_s(project) > 0);
+            QVERIFY(!hasErrors(validate(project)));
+            QVERIFY(Variants(project).fault() == GridFault::none);
+            const double levels = levelCount(project.optimisation->continuous_feed_mm_min);
+            QCOMPARE(levels > 2, project.machine->name == "3М151Ф2");
+        }
     }
 
     void itsLevelsHaveTheFeedsOfTheCycle() {
