@@ -8144,6 +8144,10 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2 раз)</translation>
         </message>
         <message>
+            <source>Of cycles whose parts are all good, the Ppk or the expected share outside misses the batch's limit: %1.</source>
+            <translation>Циклов, у которых все детали годны, но Ppk или ожидаемая доля брака не укладывается в предел партии: %1.</translation>
+        </message>
+        <message>
             <source>Excluded most often by: %1.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>

@@ -260,13 +260,10 @@ struct Trial {
     double removal = 0; ///< for comparison within one project
 };
 
-/// The rule at one work speed.
+/// The rule on a machine as it is set.
 class Rule {
 public:
-    Rule(Project project, const StartingEnds& ends, double gamma, double workSpeed_rpm)
-        : m_project(std::move(project)), m_gamma(gamma) {
-        m_project.machine->work_speed_rpm = workSpeed_rpm;
-        dwellAtShoulders(ends);
+    Rule(Project project, double gamma) : m_project(std::move(project)), m_gamma(gamma) {
         m_worn = m_project;
         const double dullness = starting::wornDullness * dullnessOf(*m_worn.wheel);
         setDullness(*m_worn.wheel, std::min(dullness, 1.0));
@@ -279,7 +276,6 @@ public:
     [[nodiscard]] Trial traverse(double axialShare) const;
 
 private:
-    void dwellAtShoulders(const StartingEnds& ends);
     [[nodiscard]] std::optional<double> burnLimit(double stock_mm) const;
     void limitRough(BoundDepth& depth, double width_mm, int passes) const;
     [[nodiscard]] double finishBelowBurn(double depth_mm) const;
@@ -292,20 +288,6 @@ private:
     double m_gamma;
     ForceLaw m_law, m_wornLaw;
 };
-
-/// One revolution where the wheel cannot overrun the end, to the millisecond.
-void Rule::dwellAtShoulders(const StartingEnds& ends) {
-    Machine& machine = *m_project.machine;
-    const auto dwell_s = [&](bool isFree) {
-        const double whole =
-            starting::shoulderDwell * units::secondsPerMinute / machine.work_speed_rpm;
-        return isFree ? 0 : std::round(whole * 1e3) / 1e3;
-    };
-    if (m_project.operation->travels) {
-        machine.dwell_entry_s = dwell_s(isEntryFree(machine, ends));
-        machine.dwell_exit_s = dwell_s(isExitFree(machine, ends));
-    }
-}
 
 /// The greatest depth with a worn wheel whose damaged layer is not deeper than this [mm]; empty if
 /// burning is not known.
@@ -503,8 +485,23 @@ bool isOfWidth(RoughBound bound) {
     return bound == RoughBound::power || bound == RoughBound::deflection;
 }
 
-Trial bestAt(const Project& project, const StartingEnds& ends, double gamma, double rise) {
-    const Rule rule(project, ends, gamma, usualWorkSpeed(project, rise));
+/// With one revolution of dwell where the wheel cannot overrun the end, to the millisecond.
+Project withDwells(Project project, const StartingEnds& ends) {
+    Machine& machine = *project.machine;
+    const auto dwell_s = [&](bool isFree) {
+        const double whole =
+            starting::shoulderDwell * units::secondsPerMinute / machine.work_speed_rpm;
+        return isFree ? 0 : std::round(whole * 1e3) / 1e3;
+    };
+    if (project.operation->travels) {
+        machine.dwell_entry_s = dwell_s(isEntryFree(machine, ends));
+        machine.dwell_exit_s = dwell_s(isExitFree(machine, ends));
+    }
+    return project;
+}
+
+Trial bestOn(const Project& project, double gamma) {
+    const Rule rule(project, gamma);
     if (!project.operation->travels) {
         return rule.plunge();
     }
@@ -520,6 +517,11 @@ Trial bestAt(const Project& project, const StartingEnds& ends, double gamma, dou
         }
     }
     return best;
+}
+
+Trial bestAt(Project project, const StartingEnds& ends, double gamma, double rise) {
+    project.machine->work_speed_rpm = usualWorkSpeed(project, rise);
+    return bestOn(withDwells(std::move(project), ends), gamma);
 }
 
 } // namespace
@@ -590,6 +592,10 @@ Project withStartingEnds(Project project, const StartingEnds& ends) {
     project.least_overlap = starting::leastOverlap;
     project.least_overlap_last = starting::leastOverlapLast;
     return project;
+}
+
+Cycle startingStages(const Project& project) {
+    return *bestOn(project, greatestCompliance(project)).cycle.project.cycle;
 }
 
 StartingCycle startingCycle(Project project, const StartingEnds& ends) {
