@@ -21,9 +21,8 @@ namespace sparkout {
 ///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.
 ///   Where the machine has a range of the continuous infeed, stages may instead have one that feeds
 ///   as much in a double stroke.
-/// * Where the cycle does not rough, finish and spark out, the grid also has a starting cycle on
-/// the
-///   machine as it is set, and no spark-out or those about that of the starting cycle.
+/// * Where the cycle does not rough, finish and spark out, the grid also has a starting cycle on the
+///   machine as it is set, and the spark-outs about that of the starting cycle beside none.
 /// * Where a roughness is required that is only estimated, as a range, nothing else keeps finishing
 ///   slow: then its feeds are within these limits also where those of the cycle are beyond them,
 ///   and its S_ax is at most 0.2, 0.25 or 0.35 B·n by the required roughness, as in a starting

@@ -281,6 +281,33 @@ private slots:
         QVERIFY(!outcome->proved());
     }
 
+    // A cycle without spark-out has its own feeds in the grid, and a starting cycle with one.
+    void aCycleWithoutSparkOutIsSearchedWithAStartingOne() {
+        for (const char* name : {"slender-shaft", "shaft-30h6-calibrated", "shaft-30h6-slender",
+                                 "plunge-shaft-two-stage", "plunge-accuracy-limit"}) {
+            const Project p = usualSearch(withUsualBatch(example(name)));
+            QVERIFY2(!hasErrors(validate(p)), name);
+            const Cycle start = startingCycleInSteps(p);
+            QCOMPARE(start.stages.size(), std::size_t{3});
+            QVERIFY(start.stages.back().sparkOutSteps().value_or(0) > 0);
+            double sum_mm = 0;
+            for (const Stage& stage : start.stages) {
+                sum_mm += stage.stock_mm;
+            }
+            QVERIFY(std::abs(sum_mm - p.part->stock_mm) < 1e-9);
+            const Variants variants(p);
+            bool hasOwn = false, hasStart = false;
+            for (std::size_t v = 0; v < variants.count(); ++v) {
+                hasOwn |= variants.grid(v).find(*p.cycle).has_value();
+                hasStart |= variants.grid(v).find(start).has_value();
+            }
+            QVERIFY2(hasStart, name);
+            QVERIFY2(hasOwn || name == std::string("slender-shaft"), name);
+        }
+        const Project p = journal(); // with a spark-out: the grid is about the cycle alone
+        QVERIFY(levelValues(usualSearch(p).optimisation->unfed_steps).front() > 0);
+    }
+
     // Half the removal rate in a bore, more in soft steel.
     void roughingGoesToTheUsualRemovalRate() {
         Project p = journal();
