@@ -302,7 +302,7 @@ private slots:
                 hasStart |= variants.grid(v).find(start).has_value();
             }
             QVERIFY2(hasStart, name);
-            QVERIFY2(hasOwn || name == std::string("slender-shaft"), name);
+            QVERIFY2(hasOwn, name);
         }
         const Project p = journal(); // with a spark-out: the grid is about the cycle alone
         QVERIFY(levelValues(usualSearch(p).optimisation->unfed_steps).front() > 0);
