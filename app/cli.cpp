@@ -9,17 +9,15 @@
 #include "app/manual/given.h"
 #include "app/manual/help_text.h"
 #include "app/stop_signals.h"
-#include "core/batch/batch_run.h"
 #include "core/batch/judgement.h"
 #include "core/file/file_system.h"
 #include "core/file/project_file.h"
 #include "core/file/safe_file.h"
-#include "core/measured/adequacy.h"
 #include "core/printable.h"
-#include "core/project/batch.h"
 #include "core/quality/light.h"
 #include "core/setup/setup_run.h"
 #include "core/simulation/simulate.h"
+#include "core/study/whole_batch.h"
 #include "core/version.h"
 #include "words/judgement_words.h"
 
@@ -57,48 +55,24 @@ struct JudgedAnswer {
     int status = done;
 };
 
-BatchResult watchedBatch(const Project& project) {
-    BatchWatch watch(project.batch->parts, false);
-    BatchOptions how;
-    how.stop = watch.stop();
-    how.done = watch.done();
-    return runBatch(project, how);
-}
-
-/// Holds the project's measured parts, if there are any, against a batch that predicts them.
-std::optional<MeasuredBias> biasOfMeasured(const Project& project) {
-    return statisticsOfMeasured(project).empty()
-               ? std::nullopt
-               : greatestBias(project,
-                              judgeAdequacy(project, watchedBatch(predictingProject(project))));
-}
-
 /// Judges a run for every stock within one infeed and, with `--batch`, for the project's batch and
 /// by its measured parts.
 JudgedAnswer judged(const SurfaceRun& run, const std::string& name, const manual::Given& given) {
-    const Project& project = run.result.project;
-    std::optional<JudgedBatch> batch;
-    std::optional<MeasuredBias> measured;
-    int status = done;
+    BatchJudgement by;
     if (given.has("--batch") && run.isCompleted()) {
-        if (project.batch) {
-            const BatchResult result = watchedBatch(project);
-            if (result.status == BatchStatus::refused) {
-                printIssues(name, result.issues);
-                status = refused;
-            } else if (caughtSignal() == 0) {
-                batch = judgeBatch(result, summarise(result));
-            }
-        }
-        if (status == done && caughtSignal() == 0) {
-            measured = biasOfMeasured(project);
-        }
+        BatchWatch watch(partsOf(run.result.project), false);
+        BatchOptions how;
+        how.stop = watch.stop();
+        how.done = watch.done();
+        by = judgeBatchOf(run.result.project, how);
         if (caughtSignal() != 0) {
             return {{}, interrupted + caughtSignal()};
         }
+        printIssues(name, by.issues);
     }
-    return {judge(run.result, run.constraints, judgeStocks(run.result), std::move(batch), measured),
-            status};
+    return {judge(run.result, run.constraints, judgeStocks(run.result), std::move(by.batch),
+                  by.measured),
+            by.issues.empty() ? done : refused};
 }
 
 std::string textOf(const SurfaceRun& run, const Judgement& judgement) {

@@ -73,6 +73,7 @@ enum class IssueCode {
     nameTwice,     ///< in packs
     severalFit,    ///< a part of several names of the catalogue
     otherMachines, ///< those of the catalogue that take a part
+    otherWheel,    ///< of the catalogue, that leaves a required Ra
     noLaw,         ///< of a factor of a batch
     notAProject,   ///< a text that does not even begin as one
     notAFileName,  ///< in packs

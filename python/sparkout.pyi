@@ -99,6 +99,38 @@ class Undecided:
     def input(self) -> str:
         """JSON pointer of the input that decides it"""
 
+class JudgedBatch:
+    """A cycle over the parts of a batch."""
+
+    @property
+    def parts(self) -> int:
+        """parts that were run"""
+    @property
+    def seed(self) -> int:
+        """number that their scatter is drawn by"""
+    @property
+    def bad(self) -> int:
+        """parts that are not good"""
+    @property
+    def interval_95(self) -> Optional[tuple[float, float]]:
+        """of the share that is not good; null for corners"""
+    @property
+    def low_ppk_95(self) -> Optional[tuple[float, float]]:
+        """of the least P_pk, where that or the expected share outside misses the batch's limit; else null"""
+
+class MeasuredBias:
+    """Measured parts that differ from the predicted ones."""
+
+    @property
+    def name(self) -> str:
+        """requirement on the quantity whose measured mean differs from the predicted one; diameter_min for a diameter"""
+    @property
+    def where(self) -> str:
+        """zone, section or part"""
+    @property
+    def bias_um(self) -> float:
+        """measured mean less the predicted one [µm]"""
+
 class Judgement:
     """How a cycle stands."""
 
@@ -113,6 +145,10 @@ class Judgement:
         """whether the part that was run reaches size and meets every requirement"""
     @property
     def stocks(self) -> JudgedStocks: ...
+    @property
+    def batch(self) -> Optional[JudgedBatch]: ...
+    @property
+    def measured(self) -> Optional[MeasuredBias]: ...
     @property
     def not_decided(self) -> list[Undecided]: ...
 
@@ -379,7 +415,9 @@ def starting(
     wheel: str = "",
     material: str = "",
 ) -> Project: ...
-def evaluate(project: Project) -> Evaluation: ...
+def evaluate(
+    project: Project, *, batch: bool = False, threads: int = 0
+) -> Evaluation: ...
 def remedies(project: Project) -> Remedies: ...
 def batch(project: Project, threads: int = 0) -> Batch: ...
 def sweep(project: Project, threads: int = 0) -> Sweep: ...

@@ -44,23 +44,47 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// As many as the command line takes; 0: one a processor.
+void expectThreads(int threads) {
+    constexpr int most = 1024;
+    if (threads < 0 || threads > most) {
+        throw py::value_error("threads: " + std::to_string(threads) + "; allowed: 0…"
+                              + std::to_string(most));
+    }
+}
+
 // --- one cycle ----------------------------------------------------------------------------------
 
 struct Evaluation {
     OutcomePtr outcome;
+    BatchJudgement by{}; ///< empty where no batch was asked for
 
     [[nodiscard]] const SimulationResult& result() const { return outcome->result; }
 };
 
-Evaluation evaluateProject(const ValidProject& project) {
-    return interruptible(
-        [&](const std::stop_token& stop) { return Evaluation{evaluate(project.project, stop)}; });
+Evaluation evaluateProject(const ValidProject& project, bool batch, int threads) {
+    expectThreads(threads);
+    Evaluation evaluation = interruptible([&](const std::stop_token& stop) {
+        Evaluation made{evaluate(project.project, stop)};
+        if (batch && made.outcome && made.result().status == RunStatus::completed) {
+            BatchOptions options;
+            options.threads = threads;
+            options.stop = stop;
+            made.by = judgeBatchOf(project.project, options);
+        }
+        return made;
+    });
+    if (!evaluation.by.issues.empty()) {
+        raiseFaults(evaluation.by.issues);
+    }
+    return evaluation;
 }
 
 /// Decided when it is asked for: a run alone is much quicker.
 Judgement judgementOf(const Evaluation& self) {
     return interruptible([&](const std::stop_token& stop) {
-        return judge(self.result(), self.outcome->constraints, judgeStocks(self.result(), stop));
+        return judge(self.result(), self.outcome->constraints, judgeStocks(self.result(), stop),
+                     self.by.batch, self.by.measured);
     });
 }
 
@@ -171,11 +195,18 @@ void bindJudgement(py::module_& module) {
     py::class_<Undecided> undecided(module, "Undecided",
                                     "A requirement that is asked for and not decided.");
     bindOutputs(undecided, undecidedOutputs());
+    py::class_<JudgedBatch> batch(module, "JudgedBatch", "A cycle over the parts of a batch.");
+    bindOutputs(batch, judgedBatchOutputs());
+    py::class_<MeasuredBias> bias(module, "MeasuredBias",
+                                  "Measured parts that differ from the predicted ones.");
+    bindOutputs(bias, measuredBiasOutputs());
     py::class_<Judgement> judgement(module, "Judgement", "How a cycle stands.");
     bindOutputs(judgement, judgementOutputs());
     judgement
         .def_property_readonly("stocks",
                                [](const Judgement& self) { return JudgedStocksOf{self.stocks}; })
+        .def_property_readonly("batch", [](const Judgement& self) { return self.batch; })
+        .def_property_readonly("measured", [](const Judgement& self) { return self.measured; })
         .def_property_readonly("not_decided",
                                [](const Judgement& self) { return self.notDecided; });
 }
@@ -204,7 +235,8 @@ void bindEvaluation(py::module_& module) {
         .def_property_readonly("warnings",
                                [](const Evaluation& self) { return self.outcome->issues; })
         .def_property_readonly("judged", &judgementOf,
-                               "for every stock within one infeed, decided on each call")
+                               "for every stock within one infeed, decided on each call, and for "
+                               "the batch that `evaluate` was asked for")
         .def("feeds", &feedsOf,
              "Arrays by zone or section, a value for each double stroke or revolution.")
         .def("trace", &traceOf, "Arrays with a value for every visit of a radius.")
@@ -214,9 +246,11 @@ void bindEvaluation(py::module_& module) {
                 return fromJson(
                     judgedResultJson(self.result(), self.outcome->constraints, judgementOf(self)));
             },
-            "As `sparkout-cli simulate --json` has it.");
-    module.def("evaluate", &evaluateProject, py::arg("project"),
-               "Runs the cycle and holds it against the drawing.");
+            "As `sparkout-cli simulate --json` has it, with a batch `simulate --batch --json`.");
+    module.def("evaluate", &evaluateProject, py::arg("project"), py::kw_only(),
+               py::arg("batch") = false, py::arg("threads") = 0,
+               "Runs the cycle and holds it against the drawing; with `batch` also the project's "
+               "batch, by which and by the project's measured parts it is judged.");
 }
 
 // --- many cycles --------------------------------------------------------------------------------
@@ -228,15 +262,6 @@ struct Batch {
     std::vector<double> factorValues, values; ///< part by part
     std::vector<double> good;
 };
-
-/// As many as the command line takes; 0: one a processor.
-void expectThreads(int threads) {
-    constexpr int most = 1024;
-    if (threads < 0 || threads > most) {
-        throw py::value_error("threads: " + std::to_string(threads) + "; allowed: 0…"
-                              + std::to_string(most));
-    }
-}
 
 Batch runBatchOf(const ValidProject& project, int threads) {
     expectThreads(threads);

@@ -5100,6 +5100,18 @@ With another name both versions stay as they are.</source>
             <translation>На сколько больше показывает прибор активного контроля с каждым часом после настройки. По нему смещается партия с фактором этого времени.</translation>
         </message>
         <message>
+            <source>Delay of the machine's gauge</source>
+            <translation>Запаздывание прибора станка</translation>
+        </message>
+        <message>
+            <source>Time from the reading of the machine's gauge to its command, where the gauge delay itself is not given.</source>
+            <translation>Время от показания прибора станка до его команды, если само запаздывание прибора не задано.</translation>
+        </message>
+        <message>
+            <source>that of the machine's gauge, or none</source>
+            <translation>как у прибора станка, иначе нет</translation>
+        </message>
+        <message>
             <source>Random error of the gauge</source>
             <translation>Случайная погрешность прибора</translation>
         </message>
@@ -7330,6 +7342,10 @@ With another name both versions stay as they are.</source>
             <translation>{value} не принимает эту деталь; принимают станки каталога: {limit}</translation>
         </message>
         <message>
+            <source>this wheel usually leaves Ra {value}, more than required; the catalogue&apos;s wheel that suits: {limit}</source>
+            <translation>этот круг обычно даёт Ra {value}, грубее требуемой; подходит круг каталога: {limit}</translation>
+        </message>
+        <message>
             <source>no law given; expected one of {limit}</source>
             <translation>закон не задан; ожидается один из: {limit}</translation>
         </message>
@@ -8126,6 +8142,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1 (%2 times)</source>
             <translation>%1 (%2 раз)</translation>
+        </message>
+        <message>
+            <source>Of cycles whose parts are all good, the Ppk or the expected share outside misses the batch's limit: %1.</source>
+            <translation>Циклов, у которых все детали годны, но Ppk или ожидаемая доля брака не укладывается в предел партии: %1.</translation>
         </message>
         <message>
             <source>Excluded most often by: %1.</source>
@@ -16518,6 +16538,10 @@ target, µm</source>
             <translation>Черновая глубина резания обычная, %1.</translation>
         </message>
         <message>
+            <source>Wheel: %1.</source>
+            <translation>Круг: %1.</translation>
+        </message>
+        <message>
             <source>Its rough depth of cut, %1, is the machine&apos;s minimum and more than %2 allows; usual: %3.</source>
             <translation>Черновая глубина резания, %1, — наименьшая у станка и больше, чем допускает %2; обычная — %3.</translation>
         </message>
@@ -18889,6 +18913,18 @@ good</source>
         <message>
             <source>Place</source>
             <translation>Место</translation>
+        </message>
+        <message>
+            <source>Wheel</source>
+            <translation>Круг</translation>
+        </message>
+        <message>
+            <source>%1, %2 mm wide; it stays the wheel of all surfaces.</source>
+            <translation>%1, высота %2 мм; он остаётся кругом всех поверхностей.</translation>
+        </message>
+        <message>
+            <source>But %1.</source>
+            <translation>Но %1.</translation>
         </message>
         <message>
             <source>&amp;Add</source>

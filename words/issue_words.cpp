@@ -278,6 +278,10 @@ IssueWords wordsOf(IssueCode code) {
         return {"other_machines",
                 SPARKOUT_NOOP("Issue", "{value} does not take this part; machines of the catalogue "
                                        "that do: {limit}")};
+    case IssueCode::otherWheel:
+        return {"other_wheel",
+                SPARKOUT_NOOP("Issue", "this wheel usually leaves Ra {value}, more than required; "
+                                       "the catalogue's wheel that suits: {limit}")};
     case IssueCode::noLaw:
         return {"no_law", SPARKOUT_NOOP("Issue", "no law given; expected one of {limit}")};
     case IssueCode::notAProject:

@@ -61,12 +61,24 @@ constexpr Output<JudgedBatch> batchRows[] = {
      [](const JudgedBatch& b) { return b.lowPpk; }},
 };
 
+constexpr Output<MeasuredBias> biasRows[] = {
+    {{.key = "name",
+      .hint = "requirement on the quantity whose measured mean differs from the predicted one; "
+              "diameter_min for a diameter"},
+     [](const MeasuredBias& b) { return std::string(requirementOf(b.kind).key); }},
+    {{.key = "where", .hint = "zone, section or part"},
+     [](const MeasuredBias& b) { return sectionOrPart(b.zone, b.section); }},
+    {{.key = "bias_um", .unit = "µm", .hint = "measured mean less the predicted one"},
+     [](const MeasuredBias& b) { return b.bias_um; }},
+};
+
 ordered_json judgementJson(const Judgement& judgement) {
     ordered_json json = outputsJson(judgementOutputs(), judgement);
     json["stocks"] = outputsJson(judgedStocksOutputs(), judgement.stocks);
     json["stocks"]["worst"] = outputsJson(
         requirementOutputs(), judgement.stocks ? judgement.stocks->worst : std::nullopt);
     json["batch"] = outputsJson(judgedBatchOutputs(), judgement.batch);
+    json["measured"] = outputsJson(measuredBiasOutputs(), judgement.measured);
     json["not_decided"] = outputsJsonOfEach(undecidedOutputs(), judgement.notDecided);
     return json;
 }
@@ -83,6 +95,10 @@ std::span<const Output<StocksDecision>> judgedStocksOutputs() {
 
 std::span<const Output<JudgedBatch>> judgedBatchOutputs() {
     return batchRows;
+}
+
+std::span<const Output<MeasuredBias>> measuredBiasOutputs() {
+    return biasRows;
 }
 
 std::string judgedResultJson(const SimulationResult& result,

@@ -21,13 +21,15 @@ using StocksDecision = std::optional<JudgedStocks>;
 [[nodiscard]] std::span<const Output<Judgement>> judgementOutputs();
 [[nodiscard]] std::span<const Output<StocksDecision>> judgedStocksOutputs();
 [[nodiscard]] std::span<const Output<JudgedBatch>> judgedBatchOutputs();
+[[nodiscard]] std::span<const Output<MeasuredBias>> measuredBiasOutputs();
 
 /// The object of `simulate --json`: that of resultJson() and, under "judged", the judgement of the
-/// cycle for every stock within one infeed and, if it was run, for the batch:
+/// cycle for every stock within one infeed and, if it was run, for the batch and by measured parts:
 ///
 ///     { "state", "headline", "nominal",
 ///       "stocks": { "decided", "holds", "stock_mm", "failing_share", "worst" },
-///       "batch": null or { "parts", "seed", "bad", "interval_95" },
+///       "batch": null or { "parts", "seed", "bad", "interval_95", "low_ppk_95" },
+///       "measured": null or { "name", "where", "bias_um" },
 ///       "not_decided": [ { "name", "why", "input" }, … ] }
 ///
 /// "worst" is an element of "constraints".

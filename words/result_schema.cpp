@@ -96,6 +96,7 @@ ordered_json tableSchemas() {
         {"judged", tableSchema("simulate: judged", judgementOutputs())},
         {"judged_stocks", tableSchema("simulate: stocks of judged", judgedStocksOutputs())},
         {"judged_batch", tableSchema("simulate: batch of judged", judgedBatchOutputs())},
+        {"measured_bias", tableSchema("simulate: measured of judged", measuredBiasOutputs())},
         {"undecided", tableSchema("simulate and optimize: one of not_decided", undecidedOutputs())},
         {"zone_form", tableSchema("simulate: a zone with several sections", zoneFormOutputs())},
         {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},

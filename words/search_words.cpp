@@ -347,6 +347,13 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
     if (!cut.empty()) {
         text += ' ' + filled(SPARKOUT_NOOP("Search", "Excluded most often by: %1."), {cut});
     }
+    if (outcome.robust && outcome.robust->incapable > 0) {
+        text += ' '
+                + filled(SPARKOUT_NOOP("Search", "Of cycles whose parts are all good, the Ppk or "
+                                                 "the expected share outside misses the batch's "
+                                                 "limit: %1."),
+                         {whole(outcome.robust->incapable)});
+    }
     const std::string leftOut = speedsLeftOut(outcome.searched);
     return leftOut.empty() ? text : text + ' ' + leftOut;
 }

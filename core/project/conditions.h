@@ -27,6 +27,8 @@ bool setsFeed(const Project& p, const void*) {
     return std::ranges::any_of(p.operation->feeds,
                                [](const StageFeed& feed) { return feed.value == Feed; });
 }
+/// Whether a reading of the gauge ends a stage.
+[[nodiscard]] bool gaugeEndsAStage(const Project& p, const void*);
 [[nodiscard]] bool byPosition(const Project& p, const void*);
 [[nodiscard]] bool external(const Project& p, const void*);
 [[nodiscard]] bool internal(const Project& p, const void*);

@@ -2,7 +2,7 @@
 #include "core/project/gauge.h"
 
 #include "core/project/conditions.h"
-#include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/text.h"
@@ -15,18 +15,18 @@ namespace {
 bool gaugeAtSection(const Project& p, const void*) {
     return !p.operation->travels && !p.gauge->position_mm;
 }
-bool gaugeEndsAStage(const Project& p, const void*) {
-    const auto& stages = p.cycle->stages;
-    return p.gauge->control == Control::gauge || (!stages.empty() && stages.back().waitsForSize());
-}
 bool gaugeMeetsGaps(const Project& p, const void*) {
-    return !p.part->gaps.empty() && gaugeEndsAStage(p, nullptr);
+    return !p.part->gaps.empty() && conditions::gaugeEndsAStage(p, nullptr);
 }
 bool gaugeFree(const Project& p, const void*) {
     return !p.operation->travels && p.gauge->position_mm;
 }
 
 } // namespace
+
+double gaugeDelay_s(const Project& project) {
+    return project.gauge->delay_s.value_or(project.machine->gauge_delay_s.value_or(0));
+}
 
 double readsTooLarge_mm(const Project& project) {
     constexpr double perMetre = 1e-6; // converts µm/m
@@ -119,19 +119,20 @@ const StructInfo& tableOf<Gauge>() {
                        .hard = {1, 5}, .page = Page::gauge, .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"),
-                       .symbol = "τ_g", .unit = "s", .hard = {0, 60}, .soft = {0, 2},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = gaugeEndsAStage,
-                       .page = Page::gauge, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Time from the gauge's reading to its command. Every stage "
-                                    "that the gauge ends, also the last one, continues for this "
-                                    "time in whole double strokes or revolutions."),
-                       .formula = "t ≥ t_m + τ_g", .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"), .symbol = "τ_g",
+            .unit = "s", .hard = {0, 60}, .soft = {0, 2},
+            .nullMeaning = SPARKOUT_NOOP("Input", "that of the machine's gauge, or none"),
+            .relevant = conditions::gaugeEndsAStage, .page = Page::gauge, .usual = true,
+            .hint =
+                SPARKOUT_NOOP("Input", "Time from the gauge's reading to its command. Every stage "
+                                       "that the gauge ends, also the last one, continues for this "
+                                       "time in whole double strokes or revolutions."),
+            .formula = "t ≥ t_m + τ_g", .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Gauge, error_um, .label = SPARKOUT_NOOP("Input", "Gauge error"), .symbol = "e_g",
-            .unit = "µm", .hard = {-100, 100}, .soft = {-5, 5}, .relevant = gaugeEndsAStage,
-            .sparse = true, .page = Page::gauge,
+            .unit = "µm", .hard = {-100, 100}, .soft = {-5, 5},
+            .relevant = conditions::gaugeEndsAStage, .sparse = true, .page = Page::gauge,
             .hint = SPARKOUT_NOOP("Input",
                                   "Amount by which the gauge reads the diameter too large. Under "
                                   "gauge control the part, also a bore, ends smaller by this "
@@ -140,7 +141,7 @@ const StructInfo& tableOf<Gauge>() {
         SPARKOUT_FIELD(
             Gauge, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
             .symbol = "ΔT", .unit = "K", .hard = {-200, 200}, .soft = {-20, 20},
-            .relevant = gaugeEndsAStage, .sparse = true, .page = Page::gauge,
+            .relevant = conditions::gaugeEndsAStage, .sparse = true, .page = Page::gauge,
             .hint =
                 SPARKOUT_NOOP("Input", "Temperature of the part at the gauge above the temperature "
                                        "that the gauge is set for. As the part cools, it shrinks "

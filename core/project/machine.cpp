@@ -96,6 +96,9 @@ namespace {
 bool byGauge(const Project& p, const void*) {
     return p.gauge->control == Control::gauge;
 }
+bool byDelayOfMachine(const Project& p, const void*) {
+    return conditions::gaugeEndsAStage(p, nullptr) && !p.gauge->delay_s;
+}
 bool onCentres(const Project& p, const void*) {
     return p.part->surface == Surface::external && p.part->shaft.mounting == Mounting::centres;
 }
@@ -390,6 +393,18 @@ Field gaugeDrift() {
         .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8");
 }
 
+Field gaugeDelay() {
+    return SPARKOUT_FIELD(
+        Machine, gauge_delay_s, .label = SPARKOUT_NOOP("Input", "Delay of the machine's gauge"),
+        .symbol = "τ_g", .unit = "s", .hard = {0, 60}, .soft = {0, 2},
+        .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = byDelayOfMachine, .sparse = true,
+        .page = Page::machine,
+        .hint =
+            SPARKOUT_NOOP("Input", "Time from the reading of the machine's gauge to its command, "
+                                   "where the gauge delay itself is not given."),
+        .formula = "t ≥ t_m + τ_g", .source = "MODEL-7");
+}
+
 Field machineForm() {
     return SPARKOUT_FIELD(
         Machine, form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
@@ -492,6 +507,7 @@ const StructInfo& tableOf<Machine>() {
         machineForm(),
         gaugeRepeatability(),
         gaugeDrift(),
+        gaugeDelay(),
         SPARKOUT_FIELD(Machine, wheel_drive_kw,
                        .label = SPARKOUT_NOOP("Input", "Wheel drive power"), .symbol = "N_k",
                        .unit = "kW", .hard = {0, 1000, true},

@@ -109,8 +109,10 @@ struct Machine {
     // batch.
     std::optional<double> gauge_repeatability_um; ///< s_g, standard deviation of a reading [µm]
     std::optional<double> gauge_drift_um_h; ///< v_g, drift of the reading since it was set [µm/h]
-    std::optional<double> wheel_drive_kw;   ///< [kW]; not given: not limited
-    std::optional<double> work_drive_kw;    ///< [kW]; not given: not limited
+    /// τ_g of its gauge, for a project that states no delay of the gauge; not given: none [s]
+    std::optional<double> gauge_delay_s;
+    std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
+    std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited
     /// Delay from the gauge's command to the next stage's feed; not given: none [s]
     std::optional<double> feed_change_delay_s;
     EntrySide entry_side = EntrySide::headstock;

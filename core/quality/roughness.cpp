@@ -76,15 +76,14 @@ CycleEnd endOf(const Project& project) {
     return end;
 }
 
-} // namespace
-
-std::optional<double> computedAsMeasured(const Project& project) {
-    const std::optional<MeasuredRa>& measured = project.wheel->measured_ra;
-    if (!measured || hasErrors(validate(project))) {
+/// Ra [mm] with a factor of 1, at the infeed and the spark-out of a measured one, or else of the
+/// cycle.
+std::optional<double> steadyRoughness(const Project& project, const MeasuredRa& measured) {
+    if (hasErrors(validate(project))) {
         return std::nullopt;
     }
     const CycleEnd end = endOf(project);
-    const double a = measured->infeed_um ? *measured->infeed_um / units::umPerMm : end.infeed_mm;
+    const double a = measured.infeed_um ? *measured.infeed_um / units::umPerMm : end.infeed_mm;
     if (!(a > 0)) {
         return std::nullopt;
     }
@@ -101,10 +100,24 @@ std::optional<double> computedAsMeasured(const Project& project) {
                       .overlap = strokeOverlap(project, b),
                       .pressed_mm = steadyPress(balance, travels ? 2 : 1, a),
                       .step_s = 1, // both times in steps
-                      .sparkOut_s = measured->spark_out_steps.value_or(end.sparkOut),
+                      .sparkOut_s = measured.spark_out_steps.value_or(end.sparkOut),
                       .at = place};
     const double computed_mm = RoughnessModel(project, 1).roughness(cut);
     return computed_mm > 0 ? std::optional(computed_mm) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<double> computedAsMeasured(const Project& project) {
+    const std::optional<MeasuredRa>& measured = project.wheel->measured_ra;
+    return measured ? steadyRoughness(project, *measured) : std::nullopt;
+}
+
+std::optional<double> usualRoughness(const Project& project) {
+    const std::optional<double> computed_mm = steadyRoughness(project, {});
+    const RoughnessFactor factor = roughnessFactor(project);
+    return computed_mm ? std::optional(*computed_mm * std::sqrt(factor.least * factor.most))
+                       : std::nullopt;
 }
 
 std::optional<double> factorOfMeasuredRa(const Project& project) {

@@ -33,6 +33,10 @@ struct RoughnessFactor {
 /// of the cycle, for a steady infeed at the gauge. Empty without a measured Ra, with errors in the
 /// project, or without infeed.
 [[nodiscard]] std::optional<double> computedAsMeasured(const Project& project);
+/// Ra [mm] that the project's cycle usually leaves, for a steady infeed at the gauge: with the
+/// measured factor, or else the middle of the usual ones. Empty with errors in the project, or
+/// without infeed.
+[[nodiscard]] std::optional<double> usualRoughness(const Project& project);
 /// The ratio of the measured Ra to the computed one. Empty also where it is 0 to rounding, or above
 /// mostRoughnessFactor.
 [[nodiscard]] std::optional<double> factorOfMeasuredRa(const Project& project);

@@ -21,11 +21,6 @@ constexpr double mostFormChange_mm = 2e-5;
 constexpr double roundings_mm = 2e-9; ///< rounding of depths and written stocks, generously
 constexpr double nearest_mm = 1e-5;   ///< tolerance of the deviation of a diameter
 
-bool isLate(const Project& project) {
-    return project.gauge->delay_s.value_or(0) > 0
-           || project.machine->feed_change_delay_s.value_or(0) > 0;
-}
-
 double largestInfeed_mm(const Project& project, const Grid& grid) {
     double most_mm = 0;
     for (const StageSetting& setting : grid.settings()) {
@@ -53,7 +48,8 @@ CaseRefuter::CaseRefuter(const PhaseCase& of, const Grid& grid, std::size_t memo
     const double most_mm = widened(of.stocks, largestInfeed_mm(of.part, grid)).to_mm;
     const double form_mm = formChange_mm(m_part, most_mm - m_part.part->stock_mm);
     const RadiusFollower* const follower = m_blank->follower();
-    if (!follower || isLate(m_part) || form_mm > mostFormChange_mm) {
+    const bool isChangeLate = m_part.machine->feed_change_delay_s.value_or(0) > 0;
+    if (!follower || isChangeLate || form_mm > mostFormChange_mm) {
         return;
     }
     m_tolerance_mm = form_mm + roundings_mm;
@@ -61,7 +57,7 @@ CaseRefuter::CaseRefuter(const PhaseCase& of, const Grid& grid, std::size_t memo
         m_infeeds_mm.push_back(infeedOf(m_part, setting));
         m_feeds.push_back(follower->feed(stepFeedOf(m_part, setting, 0)));
     }
-    m_blankState = stateOf(*m_blank);
+    m_blankState = stateOf(*m_blank, GaugeSignal(m_part, false));
     m_lags.emplace(*follower, m_feeds, m_blank->gaugePoint());
     const Run& run = m_blank->run();
     m_leastDepth_mm = run.sizeDepth_mm() - stageSlack_mm - 8 * m_tolerance_mm;
@@ -127,7 +123,8 @@ CaseRefuter::Stage& CaseRefuter::first(std::size_t stages, std::size_t setting) 
     const auto found = m_first.find(key);
     return found != m_first.end()
                ? found->second
-               : m_first.emplace(key, begin(m_runner.begin(stages))).first->second;
+               : m_first.emplace(key, begin(m_runner.begin(stages), GaugeSignal(m_part, false)))
+                     .first->second;
 }
 
 /// Visits the steps at which stocks of the range end a stage before the last.
@@ -136,7 +133,7 @@ bool CaseRefuter::visitLast(Stage& stage, std::span<const GridStage> before, std
     const int behind = taken + before[place].steps;
     const double later_mm = m_grid.remainder(behind) + stageSlack_mm;
     const auto isBefore = [&](const State& each) { // no stock of the range ends it there
-        return later_mm - each.remaining_mm - range.from_mm <= 4 * m_tolerance_mm;
+        return later_mm - each.known_mm - range.from_mm <= 4 * m_tolerance_mm;
     };
     const auto first = std::ranges::partition_point(stage.states, isBefore);
     const auto known = static_cast<std::size_t>(first - stage.states.begin());
@@ -146,7 +143,7 @@ bool CaseRefuter::visitLast(Stage& stage, std::span<const GridStage> before, std
         if (!state) {
             return false;
         }
-        const double end_mm = later_mm - state->remaining_mm;
+        const double end_mm = later_mm - state->known_mm;
         const StockRange ending{range.from_mm, std::min(range.to_mm, end_mm)};
         if (ending.to_mm - ending.from_mm <= 4 * m_tolerance_mm) {
             continue;
@@ -164,18 +161,18 @@ bool CaseRefuter::visitLast(Stage& stage, std::span<const GridStage> before, std
     return false;
 }
 
-CaseRefuter::Stage CaseRefuter::begin(std::shared_ptr<const CycleSteps> from) {
-    Stage stage;
-    stage.steps = from->copy();
+CaseRefuter::Stage CaseRefuter::begin(std::shared_ptr<const CycleSteps> from,
+                                      const GaugeSignal& before) {
+    Stage stage{before, before, {}, from->copy(), {}, {}};
     stage.steps->run().keepRadiiAlone();
-    stage.states.push_back(stateOf(*from));
+    stage.states.push_back(stateOf(*from, before));
     stage.kept.emplace(0, std::move(from));
     m_kept_bytes += prefixBytes(m_part);
     return stage;
 }
 
-CaseRefuter::State CaseRefuter::stateOf(const CycleSteps& steps) const {
-    return {criticalRadii(steps), steps.remaining()};
+CaseRefuter::State CaseRefuter::stateOf(const CycleSteps& steps, const GaugeSignal& signal) const {
+    return {criticalRadii(steps), steps.run().time_s(), steps.remaining(), signal.known_mm()};
 }
 
 const CaseRefuter::State* CaseRefuter::stateAt(Stage& stage, std::size_t count, std::size_t place,
@@ -186,7 +183,8 @@ const CaseRefuter::State* CaseRefuter::stateAt(Stage& stage, std::size_t count, 
             stage.steps.reset();
             return nullptr;
         }
-        stage.states.push_back(stateOf(*stage.steps));
+        stage.signal.read(stage.steps->run().time_s(), stage.steps->remaining());
+        stage.states.push_back(stateOf(*stage.steps, stage.signal));
         m_kept_bytes += sizeof(State);
     }
     return &stage.states[count];
@@ -216,7 +214,11 @@ CaseRefuter::Stage* CaseRefuter::follower(Stage& stage, std::size_t count,
         stage.kept.emplace(count, from);
         m_kept_bytes += prefixBytes(m_part);
     }
-    return &stage.next.emplace(key, begin(from)).first->second;
+    GaugeSignal before = stage.before;
+    for (std::size_t i = 1; i <= count; ++i) {
+        before.read(stage.states[i].time_s, stage.states[i].remaining_mm);
+    }
+    return &stage.next.emplace(key, begin(from, before)).first->second;
 }
 
 bool CaseRefuter::endsTooDeep(const State& state, const GridCycle& cycle, StockRange range) {

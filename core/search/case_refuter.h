@@ -4,6 +4,7 @@
 #include "core/search/cycle_runner.h"
 #include "core/search/last_stage_bound.h"
 #include "core/search/optimise.h"
+#include "core/simulation/stage_control.h"
 
 #include <array>
 #include <cstddef>
@@ -23,19 +24,21 @@ namespace sparkout {
 ///
 /// Under gauge control passes do not depend on the stock (phasePieces()). All stocks therefore
 /// share the runs of the stages before the last, on a blank with the least of them: with Π = Π_0 +
-/// x, a stage that is followed by stages with the total stock L ends at the first step that leaves
+/// x, a stage that is followed by stages with the total stock L ends at the first step by which the
+/// control knows of
 ///
 ///     Π_rem ≤ L + slack − x,
 ///
-/// where Π_rem is that of the shared run. A range of x is divided at the steps of each stage, and
-/// each part of it begins the last stage with the radii of one state. From there the critical radii
-/// of LastStageBound are followed. Stocks with an x that has not ended the cycle before step k,
+/// where Π_rem is that of the shared run, read no later than the delay of the gauge before. A range
+/// of x is divided at the steps of each stage, and each part of it begins the last stage with the
+/// radii of one state. From there the critical radii of LastStageBound are followed. Stocks with an
+/// x that has not ended the cycle before step k,
 ///
 ///     x > depth_(k−1) − |R_first − R_t| + slack,  depth that of the deepest radius gauged,
 ///
-/// make at least k steps, and the two opposite radii that are deepest then, which only grow deeper,
-/// leave a diameter of at most that of Π_0 plus 2x. Where that is beyond the field for the least
-/// such x, the cycle fails for the stocks next to it.
+/// make at least k steps (more with a delay), and the two opposite radii that are deepest then,
+/// which only grow deeper, leave a diameter of at most that of Π_0 plus 2x. Where that is beyond
+/// the field for the least such x, the cycle fails for the stocks next to it.
 ///
 /// Most last stages that cannot stop in time are refuted without following any radius. Let stocks
 /// in a range of length l begin the last stage, of the infeed f, with one state. Let u be the least
@@ -49,8 +52,8 @@ namespace sparkout {
 ///
 /// The blank's form changes with the stock by at most formChange_mm(), and every step that is shown
 /// to end a stage, or not to, is so by more than that and rounding; a diameter is too small by more
-/// than four times that and 10 nm, the tolerance of failingStock_mm(). With a delayed gauge or feed
-/// change, and where LastStageBound has no bound, no cycle is refuted.
+/// than four times that and 10 nm, the tolerance of failingStock_mm(). With a delayed change of the
+/// feed, and where LastStageBound has no bound, no cycle is refuted.
 class CaseRefuter {
 public:
     /// @param memory_bytes  approximate memory for kept states
@@ -69,7 +72,8 @@ private:
     /// State after a step of a stage.
     struct State {
         FollowedRadii critical; ///< critical radii of a last stage
-        double remaining_mm = 0;
+        double time_s = 0, remaining_mm = 0;
+        double known_mm = 0; ///< remaining stock by which the control acts
     };
     /// One of the two deepest radii.
     struct Deep {
@@ -88,6 +92,8 @@ private:
     };
     /// A stage that begins at a state, as far as it has been run.
     struct Stage {
+        GaugeSignal before; ///< readings before its first step
+        GaugeSignal signal; ///< with those of its states
         std::map<std::size_t, std::shared_ptr<const CycleSteps>> kept; ///< by steps made
         std::unique_ptr<CycleSteps> steps; ///< steps up to the last state
         std::vector<State> states;         ///< states after 0, 1, … steps
@@ -95,8 +101,8 @@ private:
             next; ///< next stages, by steps made and setting
     };
 
-    [[nodiscard]] Stage begin(std::shared_ptr<const CycleSteps> from);
-    [[nodiscard]] State stateOf(const CycleSteps& steps) const;
+    [[nodiscard]] Stage begin(std::shared_ptr<const CycleSteps> from, const GaugeSignal& before);
+    [[nodiscard]] State stateOf(const CycleSteps& steps, const GaugeSignal& signal) const;
     [[nodiscard]] const State* stateAt(Stage& stage, std::size_t count, std::size_t place,
                                        std::size_t setting);
     [[nodiscard]] Stage* follower(Stage& stage, std::size_t count,

@@ -289,6 +289,7 @@ public:
         , m_source(source)
         , m_stop(options.search.stop)
         , m_mostRounds(options.mostRounds)
+        , m_known(options.known)
         , m_search(options.search)
         , m_asksCapability(!isHeuristic(m_search.method))
         , m_variants(project, m_stop) {
@@ -346,7 +347,7 @@ private:
             m_proved_s = best->time_s;
         }
         if (m_search.method == SearchMethod::pruned) {
-            m_search.incumbent = ownCycle();
+            m_search.incumbent = knownCycle();
             m_search.challenge = [this](const FeasibleCycle& found) { return challenge(found); };
         }
         return false;
@@ -424,19 +425,33 @@ private:
         return failing;
     }
 
-    /// The project's own cycle, if it passes all tests of an answer. The search goes from the
-    /// quickest cycle upwards and has no answer before its end: this one is to be beaten, and the
-    /// answer if the search is stopped. One that is much slower than the quickest for the part
-    /// alone is neither.
-    std::optional<FeasibleCycle> ownCycle() {
+    /// The project's own cycle, or a known one, if it passes all tests of an answer. The search
+    /// goes from the quickest cycle upwards and has no answer before its end: this one is to be
+    /// beaten, and the answer if the search is stopped. An own one that is much slower than the
+    /// quickest for the part alone is neither.
+    std::optional<FeasibleCycle> knownCycle() {
         constexpr double mostTimes = 2;
-        std::optional<FeasibleCycle> own = feasibleIn(m_variants, m_project, m_stop);
-        if (own && own->time_s > mostTimes * m_summary.nominalTime_s) {
+        auto found = passing(m_project, mostTimes * m_summary.nominalTime_s);
+        for (const Cycle& cycle : m_known) {
+            if (found || m_stop.stop_requested()) {
+                break;
+            }
+            Project with = m_project;
+            *with.cycle = cycle;
+            found = passing(with, std::numeric_limits<double>::infinity());
+        }
+        return found;
+    }
+
+    /// The cycle of a project, if it takes no longer than this [s] and passes all tests.
+    std::optional<FeasibleCycle> passing(const Project& project, double most_s) {
+        std::optional<FeasibleCycle> own = feasibleIn(m_variants, project, m_stop);
+        if (own && own->time_s > most_s) {
             return std::nullopt;
         }
         for (const Project& scenario : m_search.scenarios) {
             Project part = scenario;
-            part.cycle = m_project.cycle;
+            part.cycle = project.cycle;
             setMachine(part, machineSettings(m_project));
             const auto trial = own ? tried(part, m_stop) : std::nullopt;
             if (!trial || !trial->holds) {
@@ -496,6 +511,7 @@ private:
     const FreshScenarios& m_source;
     std::stop_token m_stop;
     int m_mostRounds;
+    std::vector<Cycle> m_known;
     SearchOptions m_search;
     bool m_asksCapability;         ///< a heuristic does not leave out cycles that are rejected
     bool m_takesIncapable = false; ///< the search was repeated without asking for capability

@@ -37,6 +37,9 @@ using FreshScenarios = std::function<std::vector<Project>(const Project& best, i
 struct RobustOptions {
     SearchOptions search; ///< its scenarios are in the set from the start
     int mostRounds = 50;
+    /// Cycles for the machine as it is set, of which the first that passes all tests of an answer
+    /// is to be beaten if the project's own is not; those beyond the grid are left out.
+    std::vector<Cycle> known{};
 };
 
 /// Fresh parts of a batch on which a cycle was tried after those of the batch itself, all of them

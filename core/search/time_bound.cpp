@@ -74,7 +74,7 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
     }
     readSparkOuts(grid);
     if (!m_shortLastStep && grid.sparkOut() == 0) {
-        m_delay_s = project.gauge->delay_s.value_or(0);
+        m_delay_s = gaugeDelay_s(project);
     }
     std::vector<double> own;
     for (const Rate& rate : m_rates) {

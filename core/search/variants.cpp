@@ -93,6 +93,35 @@ SearchedSpeeds searchedSpeeds(const Project& project) {
     return speeds;
 }
 
+double farthestSpeed_rpm(const Project& project, double level_rpm, double end_rpm) {
+    const std::optional<double>& least = project.optimisation->least_ratio_distance;
+    if (!least) {
+        return end_rpm;
+    }
+    constexpr double lastBits = 1e-9; // relative
+    const double wheel_rpm = wheelSpeed_rpm(project);
+    const auto steps = machineSteps(project, "/machine/work_speed_rpm");
+    const double side = end_rpm < level_rpm ? 1 : -1; // towards the level
+    double speed_rpm = end_rpm;
+    while ((level_rpm - speed_rpm) * side > lastBits * level_rpm) {
+        const double ratio = wheel_rpm / speed_rpm, whole = std::max(std::round(ratio), 1.0);
+        if (distanceFromWhole(ratio) >= *least) {
+            return speed_rpm;
+        }
+        const double before_rpm = speed_rpm;
+        speed_rpm = wheel_rpm / (whole - side * *least) * (1 + side * lastBits);
+        if (steps) { // the next one that can be set
+            const double place = (speed_rpm - steps->low) / steps->step;
+            const double onStep = side > 0 ? std::ceil(place) : std::floor(place);
+            speed_rpm = steps->low + onStep * steps->step;
+        }
+        if ((speed_rpm - before_rpm) * side <= 0) {
+            speed_rpm = before_rpm + side * (steps ? steps->step : lastBits * before_rpm);
+        }
+    }
+    return level_rpm;
+}
+
 Variants::Variants(const Project& project, const std::stop_token& stop) {
     Project plain = project;
     plain.runs.clear();

@@ -28,6 +28,9 @@ struct SearchedSpeeds {
 };
 /// The project must have a search.
 [[nodiscard]] SearchedSpeeds searchedSpeeds(const Project& project);
+/// The work speed nearest to the end of a range, beyond a level of the search, that the machine can
+/// be set to and least_ratio_distance allows [rev/min]; the level where there is none.
+[[nodiscard]] double farthestSpeed_rpm(const Project& project, double level_rpm, double end_rpm);
 
 /// All grids of a project's optimisation: one for each combination of allowed work speed, entry
 /// dwell, exit dwell and spark-out count as listed. In the order of the variants the spark-outs

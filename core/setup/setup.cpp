@@ -27,7 +27,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 25> members{"/title",
+constexpr std::array<std::string_view, 26> members{"/title",
                                                    "/author",
                                                    "/notes",
                                                    "/coolant",
@@ -47,6 +47,7 @@ constexpr std::array<std::string_view, 25> members{"/title",
                                                    "/machine/geometric_runout_um",
                                                    "/machine/gauge_repeatability_um",
                                                    "/machine/gauge_drift_um_h",
+                                                   "/machine/gauge_delay_s",
                                                    "/machine/wheel_drive_kw",
                                                    "/machine/work_drive_kw",
                                                    "/machine/wheel_contact",
@@ -165,6 +166,7 @@ void copyShared(const Project& from, Project& to) {
     machine.geometric_runout_um = shared.geometric_runout_um;
     machine.gauge_repeatability_um = shared.gauge_repeatability_um;
     machine.gauge_drift_um_h = shared.gauge_drift_um_h;
+    machine.gauge_delay_s = shared.gauge_delay_s;
     machine.wheel_drive_kw = shared.wheel_drive_kw;
     machine.work_drive_kw = shared.work_drive_kw;
     machine.wheel_contact = shared.wheel_contact;

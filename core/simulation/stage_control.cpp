@@ -10,12 +10,13 @@
 #include "core/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sparkout {
 
 GaugeSignal::GaugeSignal(const Project& project, bool endsCycle)
-    : m_end_s(project.gauge->delay_s.value_or(0))
+    : m_end_s(gaugeDelay_s(project))
     , m_change_s(m_end_s + project.machine->feed_change_delay_s.value_or(0))
     , m_endsCycle(endsCycle && project.gauge->control == Control::gauge) {}
 
@@ -48,6 +49,13 @@ double GaugeSignal::knownBy(double least_mm, double delay_s) const {
 double GaugeSignal::overBy(double later_mm, bool last) const {
     const double changes = knownBy(later_mm, last ? m_end_s : m_change_s);
     return m_endsCycle ? std::max(changes, knownBy(0, m_end_s)) : changes;
+}
+
+int lateSteps(const Project& project, double step_s) {
+    const double late_s = gaugeDelay_s(project) + project.machine->feed_change_delay_s.value_or(0);
+    return project.gauge->control == Control::gauge
+               ? static_cast<int>(std::ceil(std::max(late_s - delaySlack_s, 0.0) / step_s))
+               : 0;
 }
 
 std::vector<double> infeedsOfStages(const Project& project) {

@@ -46,6 +46,9 @@ public:
     [[nodiscard]] double overBy(double later_mm, bool last) const;
     /// Like overBy(), for the last reading to end a stage at once or after the delay.
     [[nodiscard]] double dueBy(double later_mm) const { return knownBy(later_mm, 0); }
+    /// Returns the remaining stock by which the control changes the feed [mm]: that of the newest
+    /// reading older than both delays; infinite if there is none.
+    [[nodiscard]] double known_mm() const { return stageSlack_mm - knownBy(0, m_change_s); }
 
 private:
     struct Reading {
@@ -58,6 +61,10 @@ private:
     bool m_endsCycle = false;
     std::vector<Reading> m_readings; ///< readings that may still count, the oldest first
 };
+
+/// Returns the number of steps of this time [s] by which a stage that the gauge ends continues
+/// until the feed changes; 0 under position control.
+[[nodiscard]] int lateSteps(const Project& project, double step_s);
 
 /// Returns the infeed per step of each stage of the project's cycle [mm]; 0 where none is set.
 [[nodiscard]] std::vector<double> infeedsOfStages(const Project& project);

@@ -50,6 +50,9 @@ StartingAnswer drawnProject(const StartingDrawing& drawing, const StartingEntrie
     }
     answer.start->project = usualSearch(std::move(answer.start->project));
     answer.issues = validate(answer.start->project);
+    for (Issue& advice : wheelAdvice(answer.start->project)) {
+        answer.issues.push_back(std::move(advice));
+    }
     return answer;
 }
 

@@ -16,8 +16,8 @@ namespace sparkout {
 /// computed.
 [[nodiscard]] std::vector<std::string> drawingInputs();
 
-/// Returns startingProject() for a drawing, with a usual search about its cycle; refused where the
-/// machine does not take part or wheel.
+/// Returns startingProject() for a drawing, with a usual search about its cycle and, as a warning,
+/// wheelAdvice(); refused where the machine does not take part or wheel.
 [[nodiscard]] StartingAnswer drawnProject(const StartingDrawing& drawing,
                                           const StartingEntries& entries);
 

@@ -14,6 +14,7 @@
 #include "core/search/refine.h"
 #include "core/search/robust.h"
 #include "core/simulation/simulate.h"
+#include "core/study/search_edits.h"
 
 #include <algorithm>
 #include <chrono>
@@ -205,7 +206,8 @@ private:
             grid.search = grid.interval->search;
         } else if (m_robust) {
             grid.robust =
-                optimiseRobustly(project, undecidedScenarios(project, m_stop), {.search = options});
+                optimiseRobustly(project, undecidedScenarios(project, m_stop),
+                                 {.search = options, .known = {startingCycleInSteps(project)}});
             grid.search = grid.robust->search;
         } else {
             grid.search = optimise(project, options);

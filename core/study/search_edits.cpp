@@ -14,6 +14,7 @@
 #include "core/search/grid.h"
 #include "core/search/time_bound.h"
 #include "core/search/variants.h"
+#include "core/simulation/stage_control.h"
 #include "core/study/starting_cycle.h"
 #include "core/study/starting_numbers.h"
 #include "core/units.h"
@@ -105,6 +106,19 @@ private:
     double m_low = 0, m_high = 0, m_step = 0;
 };
 
+/// The stages of a starting cycle with stocks in these steps, the last taking the remainder.
+std::vector<Stage> inSteps(std::vector<Stage> stages, double step_mm, double all_mm) {
+    constexpr double slack = 1e-6;
+    double left_mm = all_mm;
+    for (std::size_t z = 0; z + 1 < stages.size(); ++z) {
+        const double steps = std::floor(stages[z].stock_mm / step_mm + slack);
+        stages[z].stock_mm = asWritten(steps * step_mm);
+        left_mm -= stages[z].stock_mm;
+    }
+    stages.back().stock_mm = asWritten(left_mm);
+    return stages;
+}
+
 /// Fills the search of a project.
 class UsualSearch {
 public:
@@ -124,6 +138,9 @@ public:
         }
         if (const auto steps = project.cycle->stages.back().sparkOutSteps()) {
             m_sparkOut = *steps;
+        }
+        if (hasCycle() && (m_sparkOut == 0 || !hasFinish())) {
+            m_start = startingStages(project).stages;
         }
     }
 
@@ -160,6 +177,23 @@ private:
     [[nodiscard]] double doubleStroke_min(const Stage& stage) const {
         const double axial = (stage.*m_project.operation->axial()->value).value_or(1);
         return strokesAndDwells_s(m_project, axial) / units::secondsPerMinute;
+    }
+
+    /// A range of roughing (stage 0) or finishing with the feed of the starting cycle.
+    [[nodiscard]] FeedRange withStart(FeedRange range, const StageFeed& feed,
+                                      std::size_t stage) const {
+        if (!m_start.empty()) {
+            range.now.push_back((m_start[stage].*feed.value).value_or(range.low));
+        }
+        return range;
+    }
+
+    /// The most that finishing feeds beyond the reading that ends it [mm].
+    [[nodiscard]] double fedLate_mm() const {
+        const double turn_min = 1 / m_project.machine->work_speed_rpm;
+        const double step_min = isPlunge() ? turn_min : doubleStroke_min(m_finish);
+        return lateSteps(m_project, step_min * units::secondsPerMinute)
+               * (isPlunge() ? plungeFinish().high * turn_min : strokeFinish().high);
     }
 
     [[nodiscard]] FeedRange plungeRough() const {
@@ -239,8 +273,8 @@ private:
     void putFeeds(Optimisation& search) const {
         constexpr double plungeStep_mm_min = 0.01, infeedStep_mm = 0.0005;
         put(search, radial(), isPlunge() ? plungeStep_mm_min : infeedStep_mm,
-            isPlunge() ? plungeRough() : strokeRough(),
-            isPlunge() ? plungeFinish() : strokeFinish());
+            withStart(isPlunge() ? plungeRough() : strokeRough(), radial(), 0),
+            withStart(isPlunge() ? plungeFinish() : strokeFinish(), radial(), 1));
         putContinuous(search);
         if (const StageFeed* axial = axialFeed()) {
             putAxial(search, *axial);
@@ -255,9 +289,10 @@ private:
         for (const Stage& stage : m_feeding) {
             range.now.push_back((stage.*axial.value).value_or(range.low));
         }
+        range = withStart(withStart(std::move(range), axial, 0), axial, 1);
         if (m_isRoughnessOpen) {
-            put(search, axial, step_mm_min, range,
-                {range.low, mostFinishAxial(), {*(m_finish.*axial.value)}});
+            const FeedRange finish{range.low, mostFinishAxial(), {*(m_finish.*axial.value)}};
+            put(search, axial, step_mm_min, range, withStart(finish, axial, 1));
         } else {
             search.*axial.levels = FeedSteps(m_project, axial, step_mm_min).preferred(range);
         }
@@ -271,26 +306,30 @@ private:
         const auto onStep = [step_mm](double stock_mm) {
             return asWritten(std::round(stock_mm / step_mm) * step_mm);
         };
-        const double high_mm = std::max(std::min(onStep(2 * now_mm), onStep(all_mm / 2)), step_mm);
-        const double low_mm = std::min(onStep(std::max(least_mm, ofNow * now_mm)), high_mm);
-        std::vector<std::vector<double>> rows{{step_mm, all_mm}, {low_mm, high_mm}};
-        if (m_sparkOut > 0) {
-            rows.push_back({0, sparkOut_mm});
+        double high_mm = std::max(std::min(onStep(2 * now_mm), onStep(all_mm / 2)), step_mm);
+        double low_mm = std::min(onStep(std::max(least_mm, ofNow * now_mm)), high_mm);
+        double last_mm = asWritten(sparkOut_mm + onStep(fedLate_mm()));
+        if (!m_start.empty()) {
+            const std::vector<Stage> start = inSteps(m_start, step_mm, all_mm);
+            high_mm = std::max(high_mm, start[1].stock_mm);
+            low_mm = std::min(low_mm, start[1].stock_mm);
+            last_mm =
+                std::max(last_mm, asWritten(std::ceil(start[2].stock_mm / step_mm) * step_mm));
         }
-        search.stage_stock_mm = std::move(rows);
+        search.stage_stock_mm =
+            std::vector<std::vector<double>>{{step_mm, all_mm}, {low_mm, high_mm}, {0, last_mm}};
     }
 
+    /// Without a spark-out of the cycle: none, or those about that of the starting cycle.
     [[nodiscard]] Levels sparkOuts() const {
-        if (m_sparkOut == 0) {
-            return {};
-        }
-        std::vector<double> counts{static_cast<double>(m_sparkOut)};
+        const int now = m_sparkOut > 0 ? m_sparkOut : m_start.back().sparkOutSteps().value_or(0);
+        std::vector<double> counts{static_cast<double>(m_sparkOut), static_cast<double>(now)};
         if (isPlunge()) {
             constexpr double shortest_s = 3, longer = 1.5;
             counts.push_back(std::max(std::round(shortest_s * m_project.machine->work_speed_rpm
                                                  / units::secondsPerMinute),
                                       1.0));
-            counts.push_back(std::round(longer * m_sparkOut));
+            counts.push_back(std::round(longer * now));
         } else {
             counts.push_back(2);
             counts.push_back(3);
@@ -305,9 +344,18 @@ private:
     std::vector<Stage> m_feeding;
     Stage m_finish; ///< the last of these; where the roughness is open, with S_ax within its limit
     int m_sparkOut = 0; ///< steps; 0: no spark-out
+    /// Those of a starting cycle where the cycle does not rough, finish and spark out; else none.
+    std::vector<Stage> m_start;
 };
 
 } // namespace
+
+Cycle startingCycleInSteps(const Project& project) {
+    Cycle cycle = startingStages(project);
+    cycle.stages =
+        inSteps(cycle.stages, project.optimisation->stock_step_mm, project.part->stock_mm);
+    return cycle;
+}
 
 Project usualSearch(Project project) {
     const UsualSearch usual(project);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
 #include "core/project/project.h"
 
 /// Edits of the search for a project's quickest cycle.
@@ -20,17 +21,25 @@ namespace sparkout {
 ///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.
 ///   Where the machine has a range of the continuous infeed, stages may instead have one that feeds
 ///   as much in a double stroke.
+/// * Where the cycle does not rough, finish and spark out, the grid also has a starting cycle on the
+///   machine as it is set, and the spark-outs about that of the starting cycle beside none.
 /// * Where a roughness is required that is only estimated, as a range, nothing else keeps finishing
 ///   slow: then its feeds are within these limits also where those of the cycle are beyond them,
 ///   and its S_ax is at most 0.2, 0.25 or 0.35 B·n by the required roughness, as in a starting
 ///   cycle.
 /// * Finishing takes at least 15 µm and three quarters of its current stock, at most twice that; a
-///   spark-out takes at most 6 µm and lasts 3 s, its current time or half as long again, in whole
-///   revolutions, or two and three double strokes.
+///   spark-out takes at most 6 µm and what a late gauge lets finishing feed meanwhile, and lasts 3
+///   s, its current time or half as long again, in whole revolutions, or two and three double
+///   strokes.
 ///
 /// Stages that take stock have the usual overlap and steps, as with withPracticalLimits(). The
 /// project must be valid; where such a grid has no cycle the grid is that of withOfferedSearch().
 [[nodiscard]] Project usualSearch(Project project);
+
+/// Returns a starting cycle on the project's machine as it is set, with stocks in the steps of its
+/// search. It is mostly fit for every stock and for the batch: a search that has it in its grid has
+/// an answer early.
+[[nodiscard]] Cycle startingCycleInSteps(const Project& project);
 
 /// Returns the project with a usual grid: preferred numbers over the machine's whole ranges as
 /// levels of the feeds, which follow the answer, about 15 steps of stock, up to two stages or three

@@ -144,9 +144,10 @@ std::vector<SettingEdge> settingEdgesReached(const Project& searched, const Cycl
                                              const MachineSettings& machine) {
     const Optimisation& search = *searched.optimisation;
     std::vector<SettingEdge> edges;
-    const auto add = [&edges](const char* key, const Levels& listed, double value,
-                              const std::optional<std::vector<double>>& range) {
-        std::vector<double> levels = levelValues(listed);
+    using Farthest = double (*)(const Project&, double level, double end);
+    const Farthest anyValue = [](const Project&, double, double end) { return end; };
+    const auto add = [&](const char* key, std::vector<double> levels, double value,
+                         const std::optional<std::vector<double>>& range, Farthest farthest) {
         std::ranges::sort(levels);
         if (levels.size() < 2 || isSame(levels.front(), levels.back())) {
             return;
@@ -158,22 +159,25 @@ std::vector<SettingEdge> settingEdgesReached(const Project& searched, const Cycl
             if (value != level && !isSame(value, level)) {
                 continue;
             }
-            const double limit = isMost ? isOfMachine ? std::min((*range)[1], hard.high) : hard.high
-                                 : isOfMachine ? std::max((*range)[0], hard.low)
-                                               : hard.low;
+            const double end = isMost ? isOfMachine ? std::min((*range)[1], hard.high) : hard.high
+                               : isOfMachine ? std::max((*range)[0], hard.low)
+                                             : hard.low;
+            const double limit = farthest(searched, level, end);
             const bool isLimit =
                 isMost ? limit <= level * (1 + lastBits) : limit >= level * (1 - lastBits);
             edges.push_back({key, level, isMost, limit, isLimit});
         }
     };
-    add("work_speed_rpm", search.work_speed_rpm, machine.work_speed_rpm,
-        searched.machine->limits.work_speed_rpm);
+    add("work_speed_rpm", searchedSpeeds(searched).allowed, machine.work_speed_rpm,
+        searched.machine->limits.work_speed_rpm, &farthestSpeed_rpm);
     if (searched.operation->travels) {
-        add("dwell_entry_s", search.dwell_entry_s, machine.dwell_entry_s, std::nullopt);
-        add("dwell_exit_s", search.dwell_exit_s, machine.dwell_exit_s, std::nullopt);
+        add("dwell_entry_s", levelValues(search.dwell_entry_s), machine.dwell_entry_s, std::nullopt,
+            anyValue);
+        add("dwell_exit_s", levelValues(search.dwell_exit_s), machine.dwell_exit_s, std::nullopt,
+            anyValue);
     }
-    add(Stage::sparkOutKey, search.unfed_steps, cycle.stages.back().sparkOutSteps().value_or(0),
-        std::nullopt);
+    add(Stage::sparkOutKey, levelValues(search.unfed_steps),
+        cycle.stages.back().sparkOutSteps().value_or(0), std::nullopt, anyValue);
     return edges;
 }
 

@@ -10,6 +10,8 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/power.h"
+#include "core/search/time_bound.h"
+#include "core/simulation/stage_control.h"
 #include "core/study/starting_numbers.h"
 #include "core/surface/burn.h"
 #include "core/text.h"
@@ -258,13 +260,10 @@ struct Trial {
     double removal = 0; ///< for comparison within one project
 };
 
-/// The rule at one work speed.
+/// The rule on a machine as it is set.
 class Rule {
 public:
-    Rule(Project project, const StartingEnds& ends, double gamma, double workSpeed_rpm)
-        : m_project(std::move(project)), m_gamma(gamma) {
-        m_project.machine->work_speed_rpm = workSpeed_rpm;
-        dwellAtShoulders(ends);
+    Rule(Project project, double gamma) : m_project(std::move(project)), m_gamma(gamma) {
         m_worn = m_project;
         const double dullness = starting::wornDullness * dullnessOf(*m_worn.wheel);
         setDullness(*m_worn.wheel, std::min(dullness, 1.0));
@@ -277,11 +276,10 @@ public:
     [[nodiscard]] Trial traverse(double axialShare) const;
 
 private:
-    void dwellAtShoulders(const StartingEnds& ends);
     [[nodiscard]] std::optional<double> burnLimit(double stock_mm) const;
     void limitRough(BoundDepth& depth, double width_mm, int passes) const;
     [[nodiscard]] double finishBelowBurn(double depth_mm) const;
-    [[nodiscard]] double sparkOutStock(double removed_mm, double infeed_mm) const;
+    [[nodiscard]] double sparkOutStock(double removed_mm, double infeed_mm, int late) const;
     [[nodiscard]] double finishStock(double wanted_mm) const;
     [[nodiscard]] Trial made(const BoundDepth& depth, Stage rough, Stage finish,
                              Stage sparkOut) const;
@@ -290,20 +288,6 @@ private:
     double m_gamma;
     ForceLaw m_law, m_wornLaw;
 };
-
-/// One revolution where the wheel cannot overrun the end, to the millisecond.
-void Rule::dwellAtShoulders(const StartingEnds& ends) {
-    Machine& machine = *m_project.machine;
-    const auto dwell_s = [&](bool isFree) {
-        const double whole =
-            starting::shoulderDwell * units::secondsPerMinute / machine.work_speed_rpm;
-        return isFree ? 0 : std::round(whole * 1e3) / 1e3;
-    };
-    if (m_project.operation->travels) {
-        machine.dwell_entry_s = dwell_s(isEntryFree(machine, ends));
-        machine.dwell_exit_s = dwell_s(isExitFree(machine, ends));
-    }
-}
 
 /// The greatest depth with a worn wheel whose damaged layer is not deeper than this [mm]; empty if
 /// burning is not known.
@@ -339,11 +323,12 @@ double Rule::finishBelowBurn(double depth_mm) const {
     return burn_mm ? std::min(depth_mm, starting::finishOfBurn * *burn_mm) : depth_mm;
 }
 
-/// The stock of a spark-out [mm]: its removal, plus half a step of finishing, whose end is
-/// uncertain by a step; at most a quarter of a small stock.
-double Rule::sparkOutStock(double removed_mm, double infeed_mm) const {
+/// The stock of a spark-out [mm]: its removal, plus the infeed of finishing beyond the reading that
+/// ends it, and half a step, by which that end is uncertain; at most a quarter of a small stock.
+double Rule::sparkOutStock(double removed_mm, double infeed_mm, int late) const {
     const double step = starting::stockStep;
-    const double stock_mm = std::max(step, std::round((removed_mm + infeed_mm / 2) / step) * step);
+    const double fed_mm = (late + 0.5) * infeed_mm;
+    const double stock_mm = std::max(step, std::round((removed_mm + fed_mm) / step) * step);
     return std::min(stock_mm, m_project.part->stock_mm / 4);
 }
 
@@ -417,10 +402,12 @@ Trial Rule::plunge() const {
     }
     Stage sparkOut;
     sparkOut.sparkOutFor(revolutions);
-    sparkOut.stock_mm = sparkOutStock(lag.removed(left, revolutions), infeed);
-    finish.stock_mm = finishStock(std::max<double>(
-        starting::leastFinishStock, starting::plungeLagStock * wornLag.steady(depth.depth_mm)
-                                        + starting::plungeStepsStock * infeed));
+    const int late = lateSteps(m_project, units::secondsPerMinute / n);
+    sparkOut.stock_mm = sparkOutStock(lag.removed(left, revolutions), infeed, late);
+    finish.stock_mm = finishStock(
+        std::max<double>(starting::leastFinishStock,
+                         starting::plungeLagStock * wornLag.steady(depth.depth_mm)
+                             + starting::plungeStepsStock * infeed + late * depth.depth_mm));
 
     Trial trial = made(depth, std::move(rough), std::move(finish), std::move(sparkOut));
     trial.cycle.usualDepth_mm = usual;
@@ -472,11 +459,15 @@ Trial Rule::traverse(double axialShare) const {
         --strokes;
     }
     sparkOut.sparkOutFor(strokes);
-    sparkOut.stock_mm = sparkOutStock(lag.removed(left, strokes), infeed);
-    finish.stock_mm = finishStock(std::max<double>(
-        starting::leastFinishStock, starting::strokeLagStock * wornLag.steady(depth.depth_mm)
-                                        + starting::strokeStepsStock * infeed
-                                        + starting::strokeRoughStock * depth.depth_mm));
+    const auto late = [this](const Stage& stage) {
+        return lateSteps(m_project, strokesAndDwells_s(m_project, *stage.axial_feed_mm_min));
+    };
+    sparkOut.stock_mm = sparkOutStock(lag.removed(left, strokes), infeed, late(finish));
+    finish.stock_mm = finishStock(
+        std::max<double>(starting::leastFinishStock,
+                         starting::strokeLagStock * wornLag.steady(depth.depth_mm)
+                             + starting::strokeStepsStock * infeed
+                             + (starting::strokeRoughStock + late(rough)) * depth.depth_mm));
 
     const double removal = depth.depth_mm * *rough.axial_feed_mm_min;
     Trial trial = made(depth, std::move(rough), std::move(finish), std::move(sparkOut));
@@ -494,8 +485,23 @@ bool isOfWidth(RoughBound bound) {
     return bound == RoughBound::power || bound == RoughBound::deflection;
 }
 
-Trial bestAt(const Project& project, const StartingEnds& ends, double gamma, double rise) {
-    const Rule rule(project, ends, gamma, usualWorkSpeed(project, rise));
+/// With one revolution of dwell where the wheel cannot overrun the end, to the millisecond.
+Project withDwells(Project project, const StartingEnds& ends) {
+    Machine& machine = *project.machine;
+    const auto dwell_s = [&](bool isFree) {
+        const double whole =
+            starting::shoulderDwell * units::secondsPerMinute / machine.work_speed_rpm;
+        return isFree ? 0 : std::round(whole * 1e3) / 1e3;
+    };
+    if (project.operation->travels) {
+        machine.dwell_entry_s = dwell_s(isEntryFree(machine, ends));
+        machine.dwell_exit_s = dwell_s(isExitFree(machine, ends));
+    }
+    return project;
+}
+
+Trial bestOn(const Project& project, double gamma) {
+    const Rule rule(project, gamma);
     if (!project.operation->travels) {
         return rule.plunge();
     }
@@ -511,6 +517,11 @@ Trial bestAt(const Project& project, const StartingEnds& ends, double gamma, dou
         }
     }
     return best;
+}
+
+Trial bestAt(Project project, const StartingEnds& ends, double gamma, double rise) {
+    project.machine->work_speed_rpm = usualWorkSpeed(project, rise);
+    return bestOn(withDwells(std::move(project), ends), gamma);
 }
 
 } // namespace
@@ -581,6 +592,10 @@ Project withStartingEnds(Project project, const StartingEnds& ends) {
     project.least_overlap = starting::leastOverlap;
     project.least_overlap_last = starting::leastOverlapLast;
     return project;
+}
+
+Cycle startingStages(const Project& project) {
+    return *bestOn(project, greatestCompliance(project)).cycle.project.cycle;
 }
 
 StartingCycle startingCycle(Project project, const StartingEnds& ends) {

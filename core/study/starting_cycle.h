@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
 #include "core/project/project.h"
 
 namespace sparkout {
@@ -62,5 +63,9 @@ struct StartingCycle {
 /// stronger by a tenth. The caller decides whether it is fit for every stock, or for the batch
 /// (decidePhases(), runBatch()). Roughness only affects the choice of feeds.
 [[nodiscard]] StartingCycle startingCycle(Project project, const StartingEnds& ends);
+
+/// The stages of such a cycle on the project's machine as it is set: with its work speed, overruns
+/// and dwells.
+[[nodiscard]] Cycle startingStages(const Project& project);
 
 } // namespace sparkout

@@ -9,7 +9,9 @@
 #include "core/project/material.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/quality/roughness.h"
 #include "core/study/starting_numbers.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +105,16 @@ StartingDrawing drawingFrom(const Project& project) {
     drawing.tolerance = part.tolerance;
     drawing.ends = startingEnds(project);
     return drawing;
+}
+
+const WheelEntry& usualWheelOf(const Project& project) {
+    return usualWheel(drawingFrom(project), *project.machine, *project.material);
+}
+
+Project withNewWheel(Project project, const WheelEntry& entry) {
+    *project.wheel = Wheel();
+    applyEntry(entry, project);
+    return project;
 }
 
 /// The named entry, or the usual one without a name; the names that match if there are several, all
@@ -282,9 +294,32 @@ const WheelEntry& usualWheel(const StartingDrawing& drawing, const Machine& mach
 }
 
 Project withUsualWheel(Project project) {
-    *project.wheel = Wheel();
-    applyEntry(usualWheel(drawingFrom(project), *project.machine, *project.material), project);
-    return project;
+    const WheelEntry& usual = usualWheelOf(project);
+    return withNewWheel(std::move(project), usual);
+}
+
+Issues wheelAdvice(const Project& project) {
+    const std::optional<double>& asked_um = project.part->tolerance.roughness_ra_um;
+    const auto usual_um = [](const Project& of) -> std::optional<double> {
+        const std::optional<StartingCycle> start = startingCycleOf(of);
+        const auto Ra_mm = start ? usualRoughness(start->project) : std::nullopt;
+        return Ra_mm ? std::optional(*Ra_mm * units::umPerMm) : std::nullopt;
+    };
+    const std::optional<double> own_um = asked_um ? usual_um(project) : std::nullopt;
+    if (!own_um || *own_um <= *asked_um) {
+        return {};
+    }
+    const WheelEntry& wheel = usualWheelOf(project);
+    const Project advised = withNewWheel(project, wheel);
+    const std::optional<double> other_um = usual_um(advised);
+    if (!other_um || *other_um > *asked_um
+        || !std::ranges::all_of(machineMisfits(advised), isPartMisfit)) {
+        return {};
+    }
+    constexpr double digits = 100;
+    return {{IssueCode::otherWheel, Severity::warning, "/wheel/marking",
+             Amount{std::round(*own_um * digits) / digits, "µm"},
+             Keys{{wheel.name}, Keys::Kind::choices}}};
 }
 
 Issues machineRefusals(const Project& project) {

@@ -60,6 +60,11 @@ startingEntries(const StartingNames& names, const StartingDrawing& drawing, Issu
 /// The project with this wheel, as new.
 [[nodiscard]] Project withUsualWheel(Project project);
 
+/// A warning where the project's wheel usually leaves a greater Ra than required, also in a
+/// starting cycle, while usualWheel() leaves it and fits the machine: it names that wheel. The
+/// wheel is one for all surfaces of a part and therefore only advised.
+[[nodiscard]] Issues wheelAdvice(const Project& project);
+
 /// The faults that keep a new project from its machine: what of part and wheel does not fit, and
 /// the machines of the shipped catalogue that take the part.
 [[nodiscard]] Issues machineRefusals(const Project& project);

@@ -93,4 +93,24 @@ Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch,
                      : std::nullopt);
 }
 
+BatchJudgement judgeBatchOf(const Project& project, const BatchOptions& options) {
+    BatchJudgement judged;
+    const bool isMeasured = !statisticsOfMeasured(project).empty();
+    if (!project.batch && !isMeasured) {
+        return judged;
+    }
+    const BatchResult result = runBatch(isMeasured ? predictingProject(project) : project, options);
+    if (result.status == BatchStatus::refused) {
+        judged.issues = result.issues;
+        return judged;
+    }
+    if (project.batch) {
+        judged.batch = judgeBatch(result, summarise(result));
+    }
+    if (isMeasured && result.status == BatchStatus::completed) {
+        judged.measured = greatestBias(project, judgeAdequacy(project, result));
+    }
+    return judged;
+}
+
 } // namespace sparkout

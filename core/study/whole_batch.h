@@ -95,4 +95,17 @@ using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 [[nodiscard]] Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch = nullptr,
                                     const BatchOutcome* predicting = nullptr);
 
+/// The judgements of a run by a batch.
+struct BatchJudgement {
+    Issues issues;                    ///< reasons why the batch cannot be run
+    std::optional<JudgedBatch> batch; ///< of the project's batch; empty if it has none
+    /// Of the project's measured parts, if there are any; empty also after a stop.
+    std::optional<MeasuredBias> measured;
+};
+
+/// Runs the batch of a project for judge(). It is run once: measured parts are predicted by the
+/// batch of predictingProject(), whose parts are the same and as good. Without a batch and measured
+/// parts nothing is run.
+[[nodiscard]] BatchJudgement judgeBatchOf(const Project& project, const BatchOptions& options = {});
+
 } // namespace sparkout

@@ -8,6 +8,7 @@
 #include "core/quality/constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
+#include "core/study/whole_batch.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 #include "words/judgement_words.h"
@@ -84,6 +85,25 @@ private slots:
         QCOMPARE(batch.at("bad").get<std::int64_t>(), statistics.bad);
         QCOMPARE(batch.at("seed").get<int>(), project.batch->seed);
         QCOMPARE(batch.at("interval_95").size(), std::size_t{2});
+        QVERIFY(json::parse(outcome.out).at("judged").at("measured").is_null());
+    }
+
+    void measuredPartsAreJudgedWithTheBatch() {
+        json moved =
+            json::parse(samples::readText(examplePath("shaft-30h6-calibrated").toStdString()));
+        moved.erase("runs");
+        json& mean = moved["measured"]["summaries"][0]["mean_um"];
+        mean = mean.get<double>() + 20;
+        const QString file = save(QStringLiteral("moved.sparkout"), moved.dump());
+        const Outcome outcome = run({"simulate", file, "--batch", "--json"});
+        const json judged = json::parse(outcome.out).at("judged");
+        const BatchJudgement by = judgeBatchOf(projectOf(file));
+        QVERIFY(by.batch && by.measured);
+        QCOMPARE(judged.at("batch").at("bad").get<std::int64_t>(), by.batch->bad);
+        const json& measured = judged.at("measured");
+        QCOMPARE(measured.at("name").get<std::string>(), std::string("diameter_min"));
+        QCOMPARE(measured.at("where").get<std::string>(), std::string("rz1"));
+        QCOMPARE(measured.at("bias_um").get<double>(), by.measured->bias_um);
     }
 
     void checkJudgesThePartThatWasRun() {

@@ -113,6 +113,29 @@ class Evaluations(unittest.TestCase):
                 [(each["name"], each["why"]) for each in stated["not_decided"]],
             )
 
+    def test_a_batch_is_judged_as_on_the_command_line(self):
+        for name in ("shaft-30h6-factory", "shaft-30h6-calibrated"):
+            file = EXAMPLES / f"{name}.sparkout"
+            evaluation = sparkout.evaluate(sparkout.Project.read(file), batch=True)
+            stated = cli("simulate", file, "--batch", "--json")
+            self.assertEqual(evaluation.to_dict(), stated)
+            judged = evaluation.judged
+            for key in ("parts", "seed", "bad"):
+                self.assertEqual(getattr(judged.batch, key), stated["judged"]["batch"][key])
+            self.assertEqual(list(judged.batch.interval_95), stated["judged"]["batch"]["interval_95"])
+        self.assertIsNone(sparkout.evaluate(sparkout.Project.read(FACTORY)).judged.batch)
+        self.assertIsNone(sparkout.evaluate(sparkout.Project.read(FACTORY)).judged.measured)
+
+    def test_measured_parts_that_are_moved_are_a_bias(self):
+        moved = json.loads((EXAMPLES / "shaft-30h6-calibrated.sparkout").read_text())
+        moved["measured"]["summaries"][0]["mean_um"] += 20
+        project = sparkout.Project(json.dumps(moved))
+        measured = sparkout.evaluate(project, batch=True).judged.measured
+        self.assertEqual((measured.name, measured.where), ("diameter_min", "rz1"))
+        self.assertAlmostEqual(measured.bias_um, 20, delta=2)
+        with self.assertRaisesRegex(ValueError, "threads"):
+            sparkout.evaluate(project, batch=True, threads=-1)
+
     def test_sections_have_their_radii(self):
         project = sparkout.Project.read(FACTORY)
         sections = sparkout.evaluate(project).sections

@@ -117,7 +117,7 @@ void StageTable::showFollows() {
     m_follows->setText(
         follows ? joined({tr("A starting cycle: it follows the drawing, material, wheel and "
                              "machine until any other input is edited."),
-                          roughDepthText()},
+                          roughDepthText(), wheelText()},
                          QStringLiteral(" "))
         : m_hasFollowed && document().newFaults().empty()
             ? tr("Edited: the cycle no longer follows the drawing. “%1” makes it anew.")
@@ -147,6 +147,14 @@ QString StageTable::roughDepthText() const {
                      "allows; usual: %3.")
                 : tr("Its rough depth of cut, %1, is limited by %2; usual: %3."))
         .arg(depth, bound, usual);
+}
+
+/// The wheel that suits the required Ra better; empty where the part's own does, or without a
+/// starting cycle.
+QString StageTable::wheelText() const {
+    const Issues advice =
+        document().followingCycle() ? wheelAdvice(document().project()) : Issues();
+    return advice.empty() ? QString() : tr("Wheel: %1.").arg(issueText(advice.front()));
 }
 
 void StageTable::showSparkOut() {

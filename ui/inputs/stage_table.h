@@ -44,6 +44,7 @@ private:
     void showFit();
     void showFollows();
     [[nodiscard]] QString roughDepthText() const;
+    [[nodiscard]] QString wheelText() const;
     void showSparkOut();
     void addSparkOut();
     void showContinuous();

@@ -166,8 +166,8 @@ private slots:
         for (const MachineEntry& entry : shipped<MachineEntry>()) {
             const Machine& machine = entry.value;
             QVERIFY2(machine.geometric_runout_um > 0 && machine.gauge_repeatability_um
-                         && machine.gauge_drift_um_h && machine.limits.wheel_speed_m_s
-                         && machine.limits.work_speed_rpm,
+                         && machine.gauge_drift_um_h && machine.gauge_delay_s
+                         && machine.limits.wheel_speed_m_s && machine.limits.work_speed_rpm,
                      entry.name.c_str());
             QVERIFY2(*machine.limits.wheel_speed_m_s >= machine.wheel_speed_m_s,
                      entry.name.c_str());

@@ -137,6 +137,7 @@ private slots:
         from.machine->geometric_runout_um = 2;
         from.machine->gauge_repeatability_um = 0.7;
         from.machine->gauge_drift_um_h = 1.5;
+        from.machine->gauge_delay_s = 0.1;
         from.material->expansion_um_m_k = 12;
         from.machine->wheel_contact = WheelContact{{{{0, 50}, {200, 80}}}};
         Project to;

@@ -277,6 +277,29 @@ private slots:
         p.gauge->delay_s = 3;
         p.machine->feed_change_delay_s.reset();
         QCOMPARE(since(0.04, false), 5); // to the second: read at 2, known at 5
+        QVERIFY(std::isinf(GaugeSignal(p, true).known_mm()));
+        GaugeSignal known(p, true);
+        for (int i = 0; i < 8; ++i) {
+            known.read(i + 1, read[i]);
+        }
+        QVERIFY(std::abs(known.known_mm() - 0) < 1e-15); // read at 5, three seconds before
+    }
+
+    // The machine's delay is that of a gauge for which none is given; a given one replaces it.
+    void theMachinesGaugeIsAsLateAsOneOfItsOwn() {
+        for (const bool traverse : {false, true}) {
+            const Project prompt = byGauge(longCycle(traverse));
+            Project own = prompt, ofMachine = prompt, both = prompt;
+            own.gauge->delay_s = ofMachine.machine->gauge_delay_s =
+                2.2 * stepTime_s(simulateUnchecked(prompt), 0);
+            both.machine->gauge_delay_s = ofMachine.machine->gauge_delay_s;
+            both.gauge->delay_s = 0;
+            const SimulationResult late = simulateUnchecked(ofMachine);
+            QCOMPARE(late.countsByStage, simulateUnchecked(own).countsByStage);
+            QCOMPARE(late.time_s, simulateUnchecked(own).time_s);
+            QVERIFY(late.time_s > simulateUnchecked(prompt).time_s);
+            QCOMPARE(simulateUnchecked(both).time_s, simulateUnchecked(prompt).time_s);
+        }
     }
 };
 

@@ -12,6 +12,7 @@
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/stage_control.h"
 #include "core/statistics/intervals.h"
 #include "core/study/starting_numbers.h"
 #include "core/study/starting_project.h"
@@ -302,6 +303,42 @@ private slots:
         QVERIFY2(result.time_s > 18 && result.time_s < 35, std::to_string(result.time_s).c_str());
     }
 
+    /// What is fed until the command of a late gauge is left as stock: the size is that of a prompt
+    /// one but for a step of finishing, by which either may end sooner.
+    void lateGaugeChangesNoSize() {
+        Random random(21);
+        int later = 0;
+        for (int i = 0; i < 40; ++i) {
+            Drawn one = drawn(random, kinds[static_cast<std::size_t>(i) % kinds.size()]);
+            const auto startWith = [&one](double delay_s) {
+                one.entries.machine.value.gauge_delay_s = delay_s;
+                return startingProject(one.drawing, one.entries).start;
+            };
+            const auto prompt = startWith(0), late = startWith(0.3);
+            if (!prompt || !late) {
+                continue;
+            }
+            const auto& stages = prompt->project.cycle->stages;
+            const auto& lateStages = late->project.cycle->stages;
+            QVERIFY(lateStages[1].stock_mm >= stages[1].stock_mm);
+            QVERIFY(lateStages[2].stock_mm >= stages[2].stock_mm);
+            const SimulationResult a = simulate(prompt->project), b = simulate(late->project);
+            QCOMPARE(b.status, RunStatus::completed);
+            later += b.time_s > a.time_s ? 1 : 0;
+            const double step_mm = infeedsOfStages(prompt->project)[1];
+            const auto size_mm = [](const SimulationResult& run) {
+                const SectionResult& middle = run.sections[run.sections.size() / 2];
+                return (middle.diameterDeviationMin_mm + middle.diameterDeviationMax_mm) / 2;
+            };
+            const bool isCapped = lateStages[2].stock_mm > 0.24 * one.drawing.stock_mm;
+            QVERIFY2(isCapped
+                         || std::abs(size_mm(b) - size_mm(a))
+                                <= 2 * (step_mm + 2 * starting::stockStep),
+                     one.text.c_str());
+        }
+        QVERIFY(later > 20);
+    }
+
     void stocksAddUpInTheSteps() {
         for (const char* size : {"35k6", "12h7", "60H7", "110f9"}) {
             const StartingCycle start = startOf(size, 30);
@@ -429,6 +466,51 @@ private slots:
             QVERIFY2(answer.start, machine.name.c_str());
             const Issues refusals = machineRefusals(answer.start->project);
             QVERIFY2(refusals.empty(), (machine.name + samples::listed(refusals)).c_str());
+        }
+    }
+
+    /// A coarse wheel is advised against where Ra is required, with the wheel that is chosen
+    /// without a name; a measured Ra replaces the estimate, and a wheel that suits is kept.
+    void wheelThatLeavesTooGreatARaIsAdvisedAgainst() {
+        auto drawing = *drawingOf(*parseSizeDesignation("40h6"));
+        drawing.length_mm = 40;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 0.5;
+        Issues issues;
+        const auto usual = *startingEntries({}, drawing, issues);
+        const auto coarse = *startingEntries({{}, "14А F36 N", {}}, drawing, issues);
+        QVERIFY(wheelAdvice(startingProject(drawing, usual).start->project).empty());
+        Project project = startingProject(drawing, coarse).start->project;
+        const Issues advice = wheelAdvice(project);
+        QCOMPARE(advice.size(), std::size_t{1});
+        QVERIFY(!hasErrors(advice));
+        QCOMPARE(advice.front().path, std::string("/wheel/marking"));
+        QVERIFY(std::get<Keys>(advice.front().limit).keys
+                == std::vector<std::string>{usual.wheel.name});
+        const double said_um = std::get<Amount>(advice.front().value).number;
+        QVERIFY(said_um > 0.5 && std::abs(said_um - *usualRoughness(project) * 1e3) < 0.006);
+        QVERIFY(*usualRoughness(startingProject(drawing, usual).start->project) * 1e3 <= 0.5);
+        project.part->tolerance.roughness_ra_um = 1.6;
+        QVERIFY(wheelAdvice(project).empty());
+        project.part->tolerance.roughness_ra_um.reset();
+        QVERIFY(wheelAdvice(project).empty());
+        project.part->tolerance.roughness_ra_um = 0.5;
+        project.wheel->roughness_factor = 4; // measured: the wheel leaves less than half
+        QVERIFY(wheelAdvice(project).empty());
+    }
+
+    /// What a shop would take is never advised against.
+    void chosenWheelIsNotAdvisedAgainst() {
+        Random random(8);
+        for (int i = 0; i < 30; ++i) {
+            Drawn one = drawn(random, kinds[static_cast<std::size_t>(i) % kinds.size()]);
+            one.drawing.tolerance.roughness_ra_um = i % 2 == 0 ? 0.2 : 0.4;
+            one.drawing.ends = {}; // as the plain shaft has them
+            one.entries.wheel =
+                usualWheel(one.drawing, one.entries.machine.value, one.entries.material.value);
+            if (const auto start = startingProject(one.drawing, one.entries).start) {
+                QVERIFY2(wheelAdvice(start->project).empty(), one.text.c_str());
+            }
         }
     }
 

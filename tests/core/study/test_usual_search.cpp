@@ -10,6 +10,7 @@
 #include "core/phases/sampled_phases.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
+#include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/operation.h"
@@ -176,6 +177,38 @@ private slots:
         QVERIFY(search.work_speed_rpm == Levels());
     }
 
+    // What finishing feeds until the command of a late gauge is left to the spark-out.
+    void aLateGaugeIsGivenMoreStockOfSparkOut() {
+        Project p = journal();
+        p.machine->gauge_delay_s = 0.1; // a revolution
+        QVERIFY(p.machine->work_speed_rpm < 600);
+        p.part->tolerance.roughness_ra_um = 0.8;
+        const double fed_mm = 0.125 / p.machine->work_speed_rpm;
+        const Project with = usualSearch(p);
+        const double most_mm = with.optimisation->stage_stock_mm->at(2)[1];
+        QVERIFY(std::abs(most_mm - 0.006 - fed_mm) <= 0.0005001);
+    }
+
+    // A machine with numerical control can be fed while it travels.
+    void aNewProjectOnACncMachineSearchesTheContinuousInfeed() {
+        auto drawing = drawingOf(parseSizeDesignation("40h6").value()).value();
+        drawing.length_mm = 200;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 0.8;
+        for (const char* machine : {"3М151Ф2", "3М151"}) {
+            Issues issues;
+            const auto entries = startingEntries({machine, {}, {}}, drawing, issues);
+            const StartingAnswer answer = drawnProject(drawing, *entries);
+            QVERIFY(answer.start && answer.start->project.operation->travels);
+            const Project& project = answer.start->project;
+            QVERIFY(gaugeDelay_s(project) > 0);
+            QVERIFY(!hasErrors(validate(project)));
+            QVERIFY(Variants(project).fault() == GridFault::none);
+            const double levels = levelCount(project.optimisation->continuous_feed_mm_min);
+            QCOMPARE(levels > 2, project.machine->name == "3М151Ф2");
+        }
+    }
+
     void itsLevelsHaveTheFeedsOfTheCycle() {
         for (const Project& p : {journal(), surfaceOfTrial(0), example("shaft-30h6-factory")}) {
             const Project with = usualSearch(p);
@@ -246,6 +279,33 @@ private slots:
         QVERIFY(outcome->stopped() && outcome->answer());
         QVERIFY(std::abs(outcome->answer()->time_s - own_s) < 1e-6);
         QVERIFY(!outcome->proved());
+    }
+
+    // A cycle without spark-out has its own feeds in the grid, and a starting cycle with one.
+    void aCycleWithoutSparkOutIsSearchedWithAStartingOne() {
+        for (const char* name : {"slender-shaft", "shaft-30h6-calibrated", "shaft-30h6-slender",
+                                 "plunge-shaft-two-stage", "plunge-accuracy-limit"}) {
+            const Project p = usualSearch(withUsualBatch(example(name)));
+            QVERIFY2(!hasErrors(validate(p)), name);
+            const Cycle start = startingCycleInSteps(p);
+            QCOMPARE(start.stages.size(), std::size_t{3});
+            QVERIFY(start.stages.back().sparkOutSteps().value_or(0) > 0);
+            double sum_mm = 0;
+            for (const Stage& stage : start.stages) {
+                sum_mm += stage.stock_mm;
+            }
+            QVERIFY(std::abs(sum_mm - p.part->stock_mm) < 1e-9);
+            const Variants variants(p);
+            bool hasOwn = false, hasStart = false;
+            for (std::size_t v = 0; v < variants.count(); ++v) {
+                hasOwn |= variants.grid(v).find(*p.cycle).has_value();
+                hasStart |= variants.grid(v).find(start).has_value();
+            }
+            QVERIFY2(hasStart, name);
+            QVERIFY2(hasOwn, name);
+        }
+        const Project p = journal(); // with a spark-out: the grid is about the cycle alone
+        QVERIFY(levelValues(usualSearch(p).optimisation->unfed_steps).front() > 0);
     }
 
     // Half the removal rate in a bore, more in soft steel.
@@ -465,6 +525,86 @@ private slots:
         QCOMPARE(edges[0].limit, std::optional(50.0));
         p.optimisation->work_speed_rpm = std::vector<double>{150}; // not searched
         QCOMPARE(settingEdgesReached(p, cycle, machine).size(), std::size_t(1));
+    }
+
+    // The wheel makes 1000 revolutions a minute: 200 and 250 are ruled out by 5 and 4 of the
+    // work's.
+    void anEndOfTheWorkSpeedsIsThatOfThoseAllowed() {
+        Project p = example("shaft-30h6-factory");
+        p.machine->wheel_speed_m_s = 3.14159265358979 * p.wheel->diameter_mm / 60;
+        p.machine->limits.work_speed_rpm = std::vector<double>{50, 250, 1};
+        p.optimisation->least_ratio_distance = 0.2;
+        p.optimisation->work_speed_rpm = std::vector<double>{150, 180, 200, 250};
+        const auto edgeAt = [&p](double work_rpm) -> std::optional<SettingEdge> {
+            MachineSettings machine = machineSettings(p);
+            machine.work_speed_rpm = work_rpm;
+            for (const SettingEdge& edge : settingEdgesReached(p, *p.cycle, machine)) {
+                if (std::string(edge.key) == "work_speed_rpm") {
+                    return edge;
+                }
+            }
+            return std::nullopt;
+        };
+        const auto isAllowed = [](double work_rpm) {
+            const double ratio = 1000 / work_rpm;
+            return std::abs(ratio - std::round(ratio)) >= 0.2;
+        };
+        const std::optional<SettingEdge> most = edgeAt(180); // 150 is 6.67, 180 is 5.56
+        QVERIFY(most && most->isMost && !most->isLimit && most->level == 180);
+        QCOMPARE(*most->limit, 238.0); // 1000 / 4.2 = 238.1
+        QVERIFY(isAllowed(238) && !isAllowed(239));
+        const std::optional<SettingEdge> least = edgeAt(150);
+        QVERIFY(least && !least->isMost && !least->isLimit);
+        for (double each = 50; each < *least->limit; ++each) {
+            QVERIFY(!isAllowed(each));
+        }
+        QVERIFY(isAllowed(*least->limit) && *least->limit < 150);
+        p.optimisation->least_ratio_distance.reset(); // 200 and 250 are levels beyond
+        QVERIFY(!edgeAt(180));
+        QVERIFY(edgeAt(250)->isLimit);
+        p.optimisation->least_ratio_distance = 0.4; // 179…185 between 5 and 6 revolutions
+        p.machine->limits.work_speed_rpm = std::vector<double>{50, 190, 1};
+        p.optimisation->work_speed_rpm = std::vector<double>{180, 183, 190};
+        QVERIFY(edgeAt(183) && edgeAt(183)->isMost && !edgeAt(183)->isLimit);
+        QCOMPARE(*edgeAt(183)->limit, 185.0); // not 190, the end of the machine's range
+        p.optimisation->work_speed_rpm = std::vector<double>{180, 185, 190};
+        QVERIFY(edgeAt(185)->isLimit);
+        p.optimisation->work_speed_rpm = std::vector<double>{150, 200}; // one is left: not searched
+        QVERIFY(!edgeAt(150));
+    }
+
+    // By the definition: every speed of the machine beyond the level is tried.
+    void theFarthestSpeedIsThatOfTryingAll() {
+        std::mt19937_64 bits(5);
+        const auto between = [&bits](double low, double high) {
+            return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+        };
+        Project p = example("shaft-30h6-factory");
+        int none = 0;
+        for (int i = 0; i < 200; ++i) {
+            const double step = i % 3 == 0 ? 5 : 1, low = std::round(between(20, 100));
+            const double high = low + step * std::round(between(5, 200));
+            p.machine->limits.work_speed_rpm = std::vector<double>{low, high, step};
+            p.machine->wheel_speed_m_s = between(5, 40);
+            const double least = *(p.optimisation->least_ratio_distance = between(0.05, 0.45));
+            const double wheel_rpm =
+                p.machine->wheel_speed_m_s * 60000 / (3.14159265358979 * p.wheel->diameter_mm);
+            const double level = low + step * std::floor(between(0, (high - low) / step + 1));
+            for (const bool isMost : {false, true}) {
+                double expected = level;
+                for (double n = isMost ? high : low; isMost ? n > level : n < level;
+                     n += isMost ? -step : step) {
+                    const double ratio = wheel_rpm / n;
+                    if (std::abs(ratio - std::max(std::round(ratio), 1.0)) >= least) {
+                        expected = n;
+                        break;
+                    }
+                }
+                none += expected == level ? 1 : 0;
+                QCOMPARE(farthestSpeed_rpm(p, level, isMost ? high : low), expected);
+            }
+        }
+        QVERIFY(none > 5 && none < 200);
     }
 };
 

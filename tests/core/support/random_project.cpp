@@ -432,8 +432,11 @@ void addPractice(std::uint64_t seed, bool traverse, json& project) {
     const double turn_s = 60 / project["machine"]["work_speed_rpm"].get<double>();
     const double most_s = traverse ? 30 : 6 * turn_s;
     if (random.chance(0.35)) {
-        project["gauge"]["delay_s"] =
+        const double delay_s =
             random.chance(0.3) ? turn_s * random.integer(0, 4) : random.uniform(0, most_s, 3);
+        const bool isOfMachine = seed % 3 == 0;
+        project[isOfMachine ? "machine" : "gauge"][isOfMachine ? "gauge_delay_s" : "delay_s"] =
+            delay_s;
     }
     if (random.chance(0.35)) {
         project["machine"]["feed_change_delay_s"] = random.uniform(0, most_s, 3);

@@ -271,7 +271,7 @@ Cycle readCycle(const json& project) {
     c.rule = text(gauge, "rule", "min");
     const std::vector<Real> radius = readPart(c, project);
     readMachine(c, project);
-    c.gauge_delay = number(gauge, "delay_s", 0);
+    c.gauge_delay = number(gauge, "delay_s", number(part(project, "machine"), "gauge_delay_s", 0));
     c.feed_change_delay = number(part(project, "machine"), "feed_change_delay_s", 0);
     c.least_overlap = number(project, "least_overlap", 0);
     c.least_overlap_last = number(project, "least_overlap_last", 0);

@@ -2,6 +2,7 @@
 // The dialog that adds a surface, and what comes of it in the document.
 #include "core/project/cycle.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/untitled.h"
@@ -10,6 +11,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QTest>
 
 #include <string>
@@ -67,6 +69,35 @@ private slots:
         QCOMPARE(document.project().cycle->stages.size(), stages.size());
         QCOMPARE(document.project().cycle->stages.front().radial_feed_mm_min,
                  stages.front().radial_feed_mm_min);
+    }
+
+    /// The part has one wheel: where it leaves a greater Ra than the copy requires, the dialog
+    /// names the wheel of the catalogue that suits, and leaves it to the user.
+    void aWheelTooCoarseForTheRequiredRaIsNamedAndKept() {
+        auto drawing = *drawingOf(*parseSizeDesignation("40h6"));
+        drawing.length_mm = 40;
+        drawing.stock_mm = 0.15;
+        drawing.tolerance.roughness_ra_um = 0.5;
+        Issues issues;
+        const auto entries = *startingEntries({{}, "14А F36 N", {}}, drawing, issues);
+        const StartingEntries usual = *startingEntries({}, drawing, issues);
+        const QString suits = QString::fromStdString(usual.wheel.name);
+        Untitled document(plainSetup(drawnProject(drawing, entries).start->project));
+        const auto isFree = [](const QString&) { return true; };
+        AddSurfaceDialog dialog(document.state(), QStringLiteral("second"), isFree, std::nullopt);
+        auto* const wheel = dialog.findChild<QLabel*>(QStringLiteral("wheelFact"));
+        const QString marking = QString::fromStdString(entries.wheel.value.marking);
+        QVERIFY(wheel->text().startsWith(marking));
+        QVERIFY(!wheel->text().contains(suits)); // without a drawing no Ra is known
+        dialog.findChild<QComboBox*>(QStringLiteral("begin"))->setCurrentIndex(0);
+        QVERIFY2(wheel->text().contains(suits), qPrintable(wheel->text()));
+        dialog.findChild<QCheckBox*>(QStringLiteral("copyTolerances"))->setChecked(false);
+        QVERIFY(!wheel->text().contains(suits));
+        dialog.findChild<QCheckBox*>(QStringLiteral("copyTolerances"))->setChecked(true);
+        SurfaceEdits edits(document);
+        edits.add(dialog.project(), dialog.name(), dialog.openInputs(), dialog.startsWhenDrawn());
+        QCOMPARE(document.surfaceCount(), std::size_t{2});
+        QCOMPARE(document.project().wheel->marking, entries.wheel.value.marking);
     }
 
     /// As the surface itself would.

@@ -8,6 +8,7 @@
 #include "core/setup/setup.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "core/study/starting_project.h"
 #include "ui/kit/dialog_parts.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
@@ -64,6 +65,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     , m_places(new QListWidget(this))
     , m_begin(new QComboBox(this))
     , m_name(new QLineEdit(name, this))
+    , m_wheel(new QLabel(this))
     , m_along(new QWidget(this))
     , m_gaps(new QCheckBox(m_along))
     , m_deviations(new QCheckBox(m_along))
@@ -92,6 +94,10 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
     m_form->addRow(tr("Begins with"), m_begin);
     askWhatComesAlong();
     m_form->addRow(tr("Place"), m_places);
+    m_wheel->setObjectName(QStringLiteral("wheelFact"));
+    m_wheel->setTextFormat(Qt::PlainText);
+    m_wheel->setWordWrap(true);
+    m_form->addRow(tr("Wheel"), m_wheel);
     QWidget* before = m_name; // from top to bottom, as one sees them
     for (QWidget* next :
          std::initializer_list<QWidget*>{m_begin, m_gaps, m_deviations, m_tolerances, m_places}) {
@@ -109,6 +115,7 @@ AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name,
         offerOperation();
         follow();
     });
+    connect(m_tolerances, &QCheckBox::toggled, this, &AddSurfaceDialog::follow);
     connect(m_drawing, &PartDrawing::stepClicked, this, &AddSurfaceDialog::chooseStep);
     const auto wanted = step ? step : m_outline.firstFreeStep();
     wanted ? chooseStep(*wanted) : m_places->setCurrentRow(m_places->count() - 1);
@@ -151,6 +158,7 @@ void AddSurfaceDialog::onlyDuplicate() {
     m_drawing->hide();
     m_form->setRowVisible(m_begin, false);
     m_form->setRowVisible(m_places, false);
+    m_form->setRowVisible(m_wheel, false);
     adjustSize();
 }
 
@@ -197,9 +205,24 @@ void AddSurfaceDialog::offerOperation() {
 void AddSurfaceDialog::follow() {
     m_along->setEnabled(isCopy());
     m_drawing->setChosenStep(step());
+    m_wheel->setText(wheelText());
     const bool isFree = m_isFree(m_name->text());
     m_buttons->acceptButton()->setEnabled(isFree);
     m_name->setToolTip(isFree ? QString() : tr("Each surface has a name of its own."));
+}
+
+/// The part's wheel and, if the required Ra is known, which one would suit it better.
+QString AddSurfaceDialog::wheelText() const {
+    const Wheel& wheel = *m_state.inFront().project.wheel;
+    QString text = tr("%1, %2 mm wide; it stays the wheel of all surfaces.")
+                       .arg(printableText(QString::fromStdString(wheel.marking)),
+                            printedNumber(wheel.width_mm));
+    if (openInputs().empty()) {
+        for (const Issue& advice : wheelAdvice(project())) {
+            text += u' ' + tr("But %1.").arg(issueText(advice));
+        }
+    }
+    return text;
 }
 
 bool AddSurfaceDialog::isCopy() const {

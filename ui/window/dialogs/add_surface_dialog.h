@@ -13,6 +13,7 @@
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 
@@ -23,7 +24,8 @@ class PartDrawing;
 
 /// Asks for the place of a new surface on the part, its initial cycle and its name; for a copy also
 /// which parts of the drawing to keep. A step of the shaft gives place, length and diameter. A
-/// duplicate is a copy at the same place.
+/// duplicate is a copy at the same place. The part keeps its wheel; where that leaves a greater Ra
+/// than required, the wheel that suits is named.
 class AddSurfaceDialog : public QDialog {
     Q_OBJECT
 
@@ -49,6 +51,7 @@ private:
     void fillPlaces();
     void offerOperation();
     void follow();
+    [[nodiscard]] QString wheelText() const;
     [[nodiscard]] std::optional<std::size_t> step() const; ///< empty: at the current place
     void chooseStep(std::size_t step);
 
@@ -61,6 +64,7 @@ private:
     QComboBox* m_begin;
     bool m_isBeginChosen = false; ///< whether the user chose the beginning
     QLineEdit* m_name;
+    QLabel* m_wheel;
     QWidget* m_along; ///< parts of the drawing to keep
     QCheckBox *m_gaps, *m_deviations, *m_tolerances;
     AnswerButtons* m_buttons;
