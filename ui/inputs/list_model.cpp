@@ -247,9 +247,11 @@ QString ListModel::shown(const QModelIndex& index) const {
     if (!relevant(index) || access(index) == Access::hidden) {
         return QStringLiteral("—");
     }
-    if (const QString text = refusedText(index); !text.isNull()) {
-        return text;
-    }
+    const QString refused = refusedText(index);
+    return refused.isNull() ? valueShown(index) : refused;
+}
+
+QString ListModel::valueShown(const QModelIndex& index) const {
     const auto value = number(index);
     return value ? showNumber(ShownScale::ofInput(field(index)).shown(*value), QLocale())
                  : QString();
