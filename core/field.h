@@ -159,6 +159,8 @@ struct Field : Row {
     std::size_t (*size)(const void* owner) = nullptr;       ///< objectList
     void* (*at)(void* owner, std::size_t index) = nullptr;  ///< objectList
     void (*resize)(void* owner, std::size_t size) = nullptr;
+    /// Inserts a copy of the item before `index`; at the beginning one with its defaults.
+    void (*insert)(void* owner, std::size_t index) = nullptr;
     void (*erase)(void* owner, std::size_t index) = nullptr;
     void (*swap)(void* owner, std::size_t one, std::size_t other) = nullptr; ///< two of its items
 
@@ -277,6 +279,10 @@ void fillList(Field& f) {
         return &(static_cast<S*>(owner)->*Member)[i];
     };
     f.resize = [](void* owner, std::size_t n) { (static_cast<S*>(owner)->*Member).resize(n); };
+    f.insert = [](void* owner, std::size_t i) {
+        auto& list = static_cast<S*>(owner)->*Member;
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(i), i > 0 ? list[i - 1] : Item{});
+    };
     f.erase = [](void* owner, std::size_t i) {
         auto& list = static_cast<S*>(owner)->*Member;
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));

@@ -20082,16 +20082,8 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Отсчёты</translation>
         </message>
         <message>
-            <source>“%1” is not a number; allowed: %2</source>
-            <translation>«%1» — не число; допускается: %2</translation>
-        </message>
-        <message>
-            <source>“%1” is not a whole number; allowed: %2</source>
-            <translation>«%1» — не целое число; допускается: %2</translation>
-        </message>
-        <message>
-            <source>“%1” is out of range; allowed: %2</source>
-            <translation>«%1» вне диапазона; допускается: %2</translation>
+            <source>“%1” is not one of the choices</source>
+            <translation>«%1» нет среди вариантов</translation>
         </message>
         <message>
             <source>“%1” is not a number from %2; separate several by semicolons</source>

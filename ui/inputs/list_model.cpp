@@ -247,9 +247,11 @@ QString ListModel::shown(const QModelIndex& index) const {
     if (!relevant(index) || access(index) == Access::hidden) {
         return QStringLiteral("—");
     }
-    if (const QString text = refusedText(index); !text.isNull()) {
-        return text;
-    }
+    const QString refused = refusedText(index);
+    return refused.isNull() ? valueShown(index) : refused;
+}
+
+QString ListModel::valueShown(const QModelIndex& index) const {
     const auto value = number(index);
     return value ? showNumber(ShownScale::ofInput(field(index)).shown(*value), QLocale())
                  : QString();
@@ -427,12 +429,9 @@ std::size_t ListModel::lastRowsKept(const std::vector<const Field*>&) const {
 
 void ListModel::resizeRows(Project& project, std::size_t rows, std::size_t) const {
     void* const owner = findMember(project, m_path).owner;
-    const std::size_t before = m_list.size(owner);
-    m_list.resize(owner, rows);
-    for (std::size_t i = std::max<std::size_t>(before, 1); i < rows; ++i) {
-        for (const Field& field : m_list.nested->fields) {
-            setNumberIn(field, m_list.at(owner, i), numberIn(field, m_list.itemIn(owner, i - 1)));
-        }
+    m_list.resize(owner, std::min(rows, m_list.size(owner)));
+    while (m_list.size(owner) < rows) {
+        m_list.insert(owner, m_list.size(owner));
     }
 }
 

@@ -4,7 +4,6 @@
 #include "core/field.h"
 #include "core/issue.h"
 #include "ui/form/mark.h"
-#include "ui/inputs/form_page.h"
 #include "ui/inputs/form_row.h"
 
 #include <QAbstractTableModel>
@@ -49,8 +48,9 @@ private:
     Document& m_document;
 };
 
-/// A list of structs in the document as a table: a row for each item, a column for each number of
-/// the item that the project reads. A refused text is kept beside the unchanged value.
+/// A list of structs in the document as a table: a row for each item, a column for each member of
+/// the item that the project reads. A refused text is kept, with its reason, beside the unchanged
+/// value. Without subclassing it serves lists of numbers only.
 class ListModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -112,11 +112,14 @@ protected:
     [[nodiscard]] virtual bool relevant(const QModelIndex& index) const;
     /// Whether a column that the project may read is shown.
     [[nodiscard]] virtual bool shows(const Field&) const { return true; }
-    [[nodiscard]] virtual QString shown(const QModelIndex& index) const;
+    /// The refused text or the value; a dash if it is not used or hidden.
+    [[nodiscard]] QString shown(const QModelIndex& index) const;
+    [[nodiscard]] virtual QString valueShown(const QModelIndex& index) const;
     [[nodiscard]] virtual int resultColumns() const { return 0; } ///< after the fields
     [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;
     [[nodiscard]] virtual QVariant resultHeader(int column, int role) const;
     [[nodiscard]] Document& document() const { return m_document; }
+    [[nodiscard]] const Field& list() const { return m_list; }
     [[nodiscard]] std::string rowPath(int row) const;
 
 private:

@@ -183,58 +183,29 @@ void ListTable::apply(Project project, EditText text, int selected) {
     (rows() > 0 ? static_cast<QWidget*>(m_view) : m_add)->setFocus();
 }
 
-ListTable::Numbers ListTable::numbersOf(const void* item) const {
-    Numbers numbers;
-    for (const Field& field : m_list.nested->fields) {
-        numbers.push_back(numberIn(field, item));
-    }
-    return numbers;
-}
-
-std::vector<ListTable::Numbers> ListTable::items() const {
-    const void* const owner = findMember(m_document.project(), m_path).owner;
-    std::vector<Numbers> items;
-    for (std::size_t i = 0; i < m_list.size(owner); ++i) {
-        items.push_back(numbersOf(m_list.itemIn(owner, i)));
-    }
-    return items;
-}
-
-void ListTable::store(const std::vector<Numbers>& items, int selected) {
+void ListTable::change(const std::function<void(void* owner)>& set, int selected) {
     Project project = m_document.project();
-    void* const owner = findMember(project, m_path).owner;
-    m_list.resize(owner, items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        for (std::size_t k = 0; k < items[i].size(); ++k) {
-            setNumberIn(m_list.nested->fields[k], m_list.at(owner, i), items[i][k]);
-        }
-    }
+    set(findMember(project, m_path).owner);
     apply(std::move(project), {"Input", m_list.label}, selected);
 }
 
 void ListTable::addRow() {
-    auto list = items();
-    const int at = currentRow();
-    const Numbers added = at < 0 ? numbersOf(m_list.nested->defaults) : list[std::size_t(at)];
-    list.insert(list.begin() + (at + 1), added); // a copy of the preceding row
-    store(list, at + 1);
+    const int at = currentRow() + 1; // a copy of the preceding row
+    change([&](void* owner) { m_list.insert(owner, std::size_t(at)); }, at);
 }
 
 void ListTable::removeRow() {
     if (canRemove()) {
-        auto list = items();
         const int at = currentRow();
-        list.erase(list.begin() + at);
-        store(list, std::min(at, rows() - 2));
+        change([&](void* owner) { m_list.erase(owner, std::size_t(at)); },
+               std::min(at, rows() - 2));
     }
 }
 
 void ListTable::moveRow(int by) {
     if (canMove(by)) {
-        auto list = items();
-        const int from = currentRow();
-        std::swap(list[std::size_t(from)], list[std::size_t(from + by)]);
-        store(list, from + by);
+        const int from = currentRow(), to = from + by;
+        change([&](void* owner) { m_list.swap(owner, std::size_t(from), std::size_t(to)); }, to);
     }
 }
 

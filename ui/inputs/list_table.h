@@ -9,6 +9,7 @@
 #include <QModelIndex>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -87,8 +88,6 @@ protected:
     void setRowHeight(int height);
 
 private:
-    using Numbers = std::vector<std::optional<double>>;
-
     void setUp();
     void buildButtons(QHBoxLayout& into);
     void takeProject();
@@ -98,9 +97,8 @@ private:
     void selectBlock(int row, int column, int rows, int columns);
     void showMenu(const QPoint& at);
     void select(int row, int column);
-    [[nodiscard]] Numbers numbersOf(const void* item) const;
-    [[nodiscard]] std::vector<Numbers> items() const;
-    void store(const std::vector<Numbers>& items, int selected);
+    /// Changes the struct with the list, as one edit, and selects a row.
+    void change(const std::function<void(void* owner)>& set, int selected);
     void updateButtons();
     void updateReasons();
     void forgetPaste(); ///< drops the message about refused cells

@@ -152,7 +152,10 @@ QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field&
     return {};
 }
 
-QString StageModel::sparkOutShown(const QModelIndex& index) const {
+QString StageModel::valueShown(const QModelIndex& index) const {
+    if (field(index).kind != Kind::countOrWord) {
+        return ListModel::valueShown(index);
+    }
     const std::optional<int> steps = stage(index).sparkOutSteps();
     if (!steps) {
         return stage(index).feeds() ? tr("none") : tr("until size");
@@ -285,12 +288,6 @@ QVariant StageModel::resultHeader(int, int role) const {
     case Qt::ToolTipRole: return tr("Machining time of the stage and its share of the cycle's.");
     default: return {};
     }
-}
-
-QString StageModel::shown(const QModelIndex& index) const {
-    const bool sparkOut = field(index).kind == Kind::countOrWord && relevant(index)
-                          && refusedText(index).isNull() && access(index) != Access::hidden;
-    return sparkOut ? sparkOutShown(index) : ListModel::shown(index);
 }
 
 } // namespace sparkout

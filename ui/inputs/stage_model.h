@@ -42,13 +42,12 @@ protected:
     [[nodiscard]] bool relevant(const QModelIndex& index) const override;
     /// The column of the continuous infeed is shown if a stage has it.
     [[nodiscard]] bool shows(const Field& column) const override;
-    [[nodiscard]] QString shown(const QModelIndex& index) const override;
+    [[nodiscard]] QString valueShown(const QModelIndex& index) const override;
     [[nodiscard]] int resultColumns() const override { return 1; }
     [[nodiscard]] QVariant resultData(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant resultHeader(int column, int role) const override;
 
 private:
-    [[nodiscard]] QString sparkOutShown(const QModelIndex& index) const;
     [[nodiscard]] QString takeSparkOut(Project& project, std::size_t row, const Field& column,
                                        const QString& text) const;
     /// A feed in other units, the shortest last; empty for other cells.

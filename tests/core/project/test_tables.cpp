@@ -111,12 +111,19 @@ private slots:
         }
     }
 
-    void itemsOfAListAreFoundSwappedAndErased() {
+    void itemsOfAListAreFoundInsertedSwappedAndErased() {
         Cycle cycle;
-        for (const double stock_mm : {0.1, 0.2, 0.3}) {
+        for (const double stock_mm : {0.1, 0.2}) {
             cycle.stages.emplace_back().stock_mm = stock_mm;
         }
         const Field& stages = *tableOf<Cycle>().find("stages");
+        stages.insert(&cycle, 2);
+        stages.insert(&cycle, 0);
+        QCOMPARE(cycle.stages.size(), std::size_t(4));
+        QCOMPARE(cycle.stages[3].stock_mm, 0.2); // as the one before it
+        QCOMPARE(cycle.stages[0].stock_mm, Stage{}.stock_mm);
+        stages.erase(&cycle, 0);
+        cycle.stages[2].stock_mm = 0.3;
         stages.swap(&cycle, 0, 2);
         stages.erase(&cycle, 1);
         QCOMPARE(cycle.stages.size(), std::size_t(2));

@@ -4,7 +4,6 @@
 #include "core/project/measured.h"
 #include "core/project/member.h"
 #include "ui/dialogs/copy_table.h"
-#include "ui/form/mark.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/measured/measured_text.h"
@@ -14,7 +13,6 @@
 #include "ui/text/texts.h"
 
 #include <QComboBox>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
@@ -22,7 +20,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QPalette>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStyledItemDelegate>
@@ -30,8 +27,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -40,8 +35,6 @@ namespace sparkout {
 
 namespace {
 
-constexpr int gaugePlace = -1; ///< default place of a trace
-
 const char* keyOf(DataModel::List list) {
     switch (list) {
     case DataModel::List::parts: return "parts";
@@ -49,6 +42,10 @@ const char* keyOf(DataModel::List list) {
     case DataModel::List::traces: break;
     }
     return "traces";
+}
+
+bool isPlace(const Field& column) {
+    return std::string_view(column.key) == "place";
 }
 
 bool isOneOf(const Field& field, std::initializer_list<std::string_view> keys) {
@@ -71,240 +68,180 @@ QString onTwoLines(QString text) {
     return text;
 }
 
-template <typename Item>
-void dropItems(std::vector<Item>& items, const std::vector<int>& falling) {
-    for (const int row : falling) {
-        if (row >= 0 && row < static_cast<int>(items.size())) {
-            items.erase(items.begin() + row);
-        }
-    }
-}
-
 } // namespace
 
 DataModel::DataModel(List list, Document& document, QObject* parent)
-    : TableModel(parent)
+    : ListModel(std::string("/measured/") + keyOf(list), *tableOf<Measured>().find(keyOf(list)),
+                document)
     , m_which(list)
-    , m_list(*tableOf<Measured>().find(keyOf(list)))
-    , m_document(document) {
-    for (const Field& field : m_list.nested->fields) {
-        if (!isOneOf(field, {"time_s", "source_sha256"})) {
-            m_columns.push_back(&field);
-        }
-    }
+    , m_shown(document.project().measured) {
+    setParent(parent);
+    update(true); // with the columns of this list
     connect(&document, &Document::changed, this, &DataModel::follow);
-    follow();
 }
 
 void DataModel::follow() {
-    const Project& project = m_document.project();
-    if (project.measured.isSharedWith(m_shown)) {
-        return;
-    }
-    m_shown = project.measured;
-    const int rows = static_cast<int>(m_list.size(&measured()));
-    if (rows != m_rows) {
-        beginResetModel();
-        m_refused.clear();
-        m_rows = rows;
-        endResetModel();
-    } else {
-        cellsChanged();
+    const Project& project = document().project();
+    if (!project.measured.isSharedWith(m_shown)) {
+        m_shown = project.measured;
+        update(false);
     }
 }
 
-const Measured& DataModel::measured() const {
-    static const Measured none;
-    const Project& project = m_document.project();
-    return project.measured ? *project.measured : none;
-}
-
-const void* DataModel::item(int row) const {
-    return m_list.itemIn(&measured(), static_cast<std::size_t>(row));
-}
-
-bool DataModel::isPlace(const Field& field) const {
-    return isOneOf(field, {"place"});
+bool DataModel::shows(const Field& column) const {
+    return !isOneOf(column, {"time_s", "source_sha256"});
 }
 
 /// Of a trace only the descriptive members are editable.
-bool DataModel::isEditable(const Field& field) const {
-    return m_which != List::traces || isOneOf(field, {"place", "factor_kw_per_a", "idle", "note"});
+bool DataModel::isEditable(const Field& column) const {
+    return m_which != List::traces || isOneOf(column, {"place", "factor_kw_per_a", "idle", "note"});
 }
 
 // --- what is shown ------------------------------------------------------------------------------
 
-QString DataModel::shown(int row, const Field& field) const {
-    const void* const of = item(row);
-    if (isPlace(field)) {
-        const std::optional<double> place = numberIn(field, of);
-        return place ? MeasuredText::place(m_document.project(), static_cast<int>(*place))
-                     : inputText(field.nullMeaning);
+QString DataModel::valueShown(const QModelIndex& index) const {
+    const Field& column = field(index);
+    const void* const of = item(index);
+    if (isPlace(column)) {
+        const std::optional<double> place = number(index);
+        return place ? MeasuredText::place(document().project(), static_cast<int>(*place))
+                     : inputText(column.nullMeaning);
     }
-    switch (field.kind) {
+    switch (column.kind) {
     case Kind::choice:
-        return choiceText(field.choices[static_cast<std::size_t>(field.getChoice(of))].label);
+        return choiceText(column.choices[static_cast<std::size_t>(column.getChoice(of))].label);
     case Kind::text:
-        return printableText(QString::fromStdString(field.as<std::string>(of)).simplified());
+        return printableText(QString::fromStdString(column.as<std::string>(of)).simplified());
     case Kind::samples:
-        return QLocale().toString(static_cast<qulonglong>(field.as<Samples>(of).size()));
+        return QLocale().toString(static_cast<qulonglong>(column.as<Samples>(of).size()));
     case Kind::numberList: {
         QStringList numbers;
-        for (const double number : field.as<std::vector<double>>(of)) {
+        for (const double number : column.as<std::vector<double>>(of)) {
             numbers << showNumber(number, QLocale());
         }
         return numbers.join(QStringLiteral("; "));
     }
-    default: {
-        const std::optional<double> number = numberIn(field, of);
-        return number ? showNumber(*number, QLocale()) : QString();
-    }
+    default: return ListModel::valueShown(index);
     }
 }
 
-QVariant DataModel::cell(int row, int column, int role) const {
-    const Field& field = *m_columns[static_cast<std::size_t>(column)];
-    const auto refused = m_refused.find({row, &field});
-    const bool isRefused = refused != m_refused.end();
-    const bool isText = field.kind == Kind::text || field.kind == Kind::choice || isPlace(field);
-    switch (role) {
-    case Qt::DisplayRole: return isRefused ? refused->second.text : shown(row, field);
-    case Qt::EditRole:
-        if (isPlace(field)) {
-            return static_cast<int>(numberIn(field, item(row)).value_or(gaugePlace));
-        }
-        if (field.kind == Kind::choice) {
-            return field.getChoice(item(row));
-        }
-        return isRefused ? refused->second.text : shown(row, field);
-    case Qt::TextAlignmentRole: return aligned(!isText);
-    case Qt::DecorationRole: return isRefused ? QVariant(markIcon(Mark::error)) : QVariant();
-    case Qt::ForegroundRole:
-        return isRefused ? QVariant(markColor(Mark::error, QGuiApplication::palette()))
-                         : QVariant();
-    case Qt::ToolTipRole:
-        return isRefused ? QVariant(
-                   QStringLiteral("<p>%1</p>").arg(refused->second.reason.toHtmlEscaped()))
-                         : QVariant(hintMarkup(field));
-    case Qt::AccessibleTextRole:
-        return tr("Row %1, %2: %3")
-            .arg(QString::number(row + 1), inputText(field.label),
-                 isRefused ? refused->second.text : shown(row, field));
-    case Qt::AccessibleDescriptionRole:
-        return isRefused ? refused->second.reason : hintPlain(field);
-    default: return {};
-    }
-}
-
-QVariant DataModel::head(int column, int role) const {
-    const Field& field = *m_columns[static_cast<std::size_t>(column)];
-    if (role == Qt::ToolTipRole) {
-        return hintMarkup(field);
-    }
-    if (role != Qt::DisplayRole) {
+QVariant DataModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
         return {};
     }
-    const QString label = field.kind == Kind::samples ? tr("Samples") : inputText(field.label);
-    return onTwoLines(*field.unit ? QStringLiteral("%1, %2").arg(label, unitText(field.unit))
-                                  : label);
+    const Field& column = field(index);
+    switch (role) {
+    case Qt::EditRole: return shown(index);
+    case Qt::TextAlignmentRole: {
+        const bool isText =
+            column.kind == Kind::text || column.kind == Kind::choice || isPlace(column);
+        return static_cast<int>((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
+    case Qt::AccessibleTextRole:
+        return tr("Row %1, %2: %3")
+            .arg(QString::number(index.row() + 1), inputText(column.label), shown(index));
+    default: return ListModel::data(index, role);
+    }
 }
 
-DataModel::Choices DataModel::choices(const QModelIndex& cell) const {
-    const Field& field = *m_columns.at(static_cast<std::size_t>(cell.column()));
-    Choices choices;
-    if (!isEditable(field)) {
+QVariant DataModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        return {};
+    }
+    const Field& column = *columns()[static_cast<std::size_t>(section)];
+    return role != Qt::DisplayRole
+               ? ListModel::headerData(section, orientation, role)
+               : onTwoLines(column.kind == Kind::samples ? tr("Samples") : columnText(column));
+}
+
+QStringList DataModel::choices(int row, const Field& column) const {
+    QStringList choices;
+    if (!isEditable(column)) {
         return choices;
     }
-    if (isPlace(field)) {
-        if (field.kind == Kind::optionalInteger) {
-            choices.emplace_back(inputText(field.nullMeaning), gaugePlace);
+    if (isPlace(column)) {
+        const Project& project = document().project();
+        if (column.kind == Kind::optionalInteger) {
+            choices << inputText(column.nullMeaning);
         }
-        const int present = static_cast<int>(numberIn(field, item(cell.row())).value_or(0));
-        const int count = std::max(placeCount(m_document.project()), present + 1);
+        const int present = static_cast<int>(numberIn(column, item(index(row, 0))).value_or(0));
+        const int count = std::max(placeCount(project), present + 1);
         for (int i = 0; i < count; ++i) {
-            choices.emplace_back(MeasuredText::place(m_document.project(), i), i);
+            choices << MeasuredText::place(project, i);
         }
-    } else if (field.kind == Kind::choice) {
-        for (std::size_t i = 0; i < field.choices.size(); ++i) {
-            choices.emplace_back(choiceText(field.choices[i].label), static_cast<int>(i));
+    } else if (column.kind == Kind::choice) {
+        for (const Choice& choice : column.choices) {
+            choices << choiceText(choice.label);
         }
     }
     return choices;
 }
 
 Qt::ItemFlags DataModel::flags(const QModelIndex& index) const {
-    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    if (index.isValid() && isEditable(*m_columns[static_cast<std::size_t>(index.column())])) {
-        flags |= Qt::ItemIsEditable;
+    Qt::ItemFlags flags = ListModel::flags(index);
+    if (index.isValid() && !isEditable(field(index))) {
+        flags.setFlag(Qt::ItemIsEditable, false);
     }
     return flags;
 }
 
 CsvTable DataModel::table() const {
     CsvTable table;
-    for (int column = 0; column < columnsShown(); ++column) {
-        table.header << head(column, Qt::DisplayRole).toString().replace(u'\n', u' ');
+    for (int column = 0; column < columnCount(); ++column) {
+        table.header
+            << headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().replace(u'\n', u' ');
     }
-    for (int row = 0; row < m_rows; ++row) {
-        std::vector<CsvCell> cells;
-        for (const Field* field : m_columns) {
-            const bool isNumber = field->kind == Kind::number || field->kind == Kind::optionalNumber
-                                  || (field->kind == Kind::integer && !isPlace(*field));
-            const std::optional<double> number =
-                isNumber ? numberIn(*field, item(row)) : std::nullopt;
-            cells.push_back(number     ? CsvCell(*number)
+    for (int row = 0; row < rowCount(); ++row) {
+        std::vector<CsvCell>& cells = table.rows.emplace_back();
+        for (int column = 0; column < columnCount(); ++column) {
+            const QModelIndex cell = index(row, column);
+            const Kind kind = field(cell).kind;
+            const bool isNumber = kind == Kind::number || kind == Kind::optionalNumber
+                                  || (kind == Kind::integer && !isPlace(field(cell)));
+            const std::optional<double> value = isNumber ? number(cell) : std::nullopt;
+            cells.push_back(value      ? CsvCell(*value)
                             : isNumber ? CsvCell()
-                                       : CsvCell(shown(row, *field)));
+                                       : CsvCell(valueShown(cell)));
         }
-        table.rows.push_back(std::move(cells));
     }
     return table;
 }
 
 // --- edits --------------------------------------------------------------------------------------
 
-QString DataModel::takeNumber(void* item, const Field& field, const QString& text) const {
-    const bool isOptional =
-        field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger;
-    const std::optional<double> value = parseNumber(text);
-    const bool isWhole = field.kind == Kind::integer || field.kind == Kind::optionalInteger;
-    if (text.isEmpty() && isOptional) {
-        setNumberIn(field, item, std::nullopt);
-        return {};
-    }
-    const QString range = rangeShown(field.hard, field.unit);
-    if (!value) {
-        return tr("“%1” is not a number; allowed: %2").arg(text, range);
-    }
-    if (isWhole && *value != std::floor(*value)) {
-        return tr("“%1” is not a whole number; allowed: %2").arg(text, range);
-    }
-    if (!field.hard.contains(*value)) {
-        return tr("“%1” is out of range; allowed: %2").arg(text, range);
-    }
-    setNumberIn(field, item, value);
-    return {};
-}
-
-QString DataModel::take(void* item, const Field& field, const QString& text) const {
-    if (field.kind == Kind::text) {
-        field.as<std::string>(item) = text.toStdString();
-        return {};
-    }
-    if (field.kind != Kind::numberList) {
-        return takeNumber(item, field, text);
-    }
-    static const QRegularExpression gap(QStringLiteral("[;\\s]+"));
-    std::vector<double> numbers;
-    for (const QString& part : text.split(gap, Qt::SkipEmptyParts)) {
-        const std::optional<double> value = parseNumber(part);
-        if (!value || !field.hard.contains(*value)) {
-            return tr("“%1” is not a number from %2; separate several by semicolons")
-                .arg(part, rangeShown(field.hard, field.unit));
+QString DataModel::takeText(Project& project, int row, const Field& column,
+                            const QString& text) const {
+    void* const to = findMember(project, rowPath(row)).owner;
+    if (const QStringList words = choices(row, column); !words.isEmpty()) {
+        const int chosen = static_cast<int>(words.indexOf(text));
+        if (chosen < 0) {
+            return tr("“%1” is not one of the choices").arg(text);
         }
-        numbers.push_back(*value);
+        if (column.kind == Kind::choice) {
+            column.setChoice(to, chosen);
+        } else {
+            const int place = column.kind == Kind::optionalInteger ? chosen - 1 : chosen;
+            setNumberIn(column, to, place < 0 ? std::nullopt : std::optional<double>(place));
+        }
+    } else if (column.kind == Kind::text) {
+        column.as<std::string>(to) = text.toStdString();
+    } else if (column.kind == Kind::optionalNumber && text.isEmpty()) {
+        setNumberIn(column, to, std::nullopt);
+    } else if (column.kind != Kind::numberList) {
+        return ListModel::takeText(project, row, column, text);
+    } else {
+        static const QRegularExpression gap(QStringLiteral("[;\\s]+"));
+        std::vector<double> numbers;
+        for (const QString& part : text.split(gap, Qt::SkipEmptyParts)) {
+            const std::optional<double> value = parseNumber(part);
+            if (!value || !column.hard.contains(*value)) {
+                return tr("“%1” is not a number from %2; separate several by semicolons")
+                    .arg(part, rangeShown(column.hard, column.unit));
+            }
+            numbers.push_back(*value);
+        }
+        column.as<std::vector<double>>(to) = std::move(numbers);
     }
-    field.as<std::vector<double>>(item) = std::move(numbers);
     return {};
 }
 
@@ -312,79 +249,54 @@ bool DataModel::setData(const QModelIndex& index, const QVariant& value, int rol
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) {
         return false;
     }
-    const Field& field = *m_columns[static_cast<std::size_t>(index.column())];
-    const std::pair<int, const Field*> key{index.row(), &field};
-    if (value == cell(index.row(), index.column(), Qt::EditRole)) {
+    if (value == data(index, Qt::EditRole)) {
         return true;
     }
-    Project project = m_document.project();
-    Measured& changed = project.measured ? *project.measured : project.measured.emplace();
-    void* const of = m_list.at(&changed, static_cast<std::size_t>(index.row()));
-    if (isPlace(field)) {
-        const int place = value.toInt();
-        setNumberIn(field, of, place == gaugePlace ? std::nullopt : std::optional<double>(place));
-    } else if (field.kind == Kind::choice) {
-        field.setChoice(of, value.toInt());
-    } else {
-        const QString text = value.toString().trimmed();
-        const QString reason = take(of, field, text);
-        if (!reason.isEmpty()) {
-            m_refused[key] = {text, reason};
-            emit dataChanged(index, index);
-            return false;
-        }
+    const QString text = value.toString().trimmed();
+    Project project = document().project();
+    const QString reason = takeText(project, index.row(), field(index), text);
+    if (!reason.isEmpty()) {
+        refuse(index, text, reason);
+        return false;
     }
-    m_refused.erase(key);
-    m_document.endMerge();
-    m_document.edit(std::move(project), {"Input", field.label});
+    accept(index);
+    edit(std::move(project), field(index));
     return true;
 }
 
-const char* DataModel::editName() const {
-    return m_list.label;
+void DataModel::edit(Project project, const Field& of) {
+    document().endMerge();
+    document().edit(std::move(project), {"Input", of.label});
 }
 
 void DataModel::addRow() {
-    Project project = m_document.project();
+    Project project = document().project();
     Measured& changed = project.measured ? *project.measured : project.measured.emplace();
-    switch (m_which) {
-    case List::parts: {
+    if (m_which == List::parts) {
         MeasuredPart part;
         part.part = std::to_string(changed.parts.size() + 1);
         part.place = changed.parts.empty() ? 0 : changed.parts.back().place;
         changed.parts.push_back(std::move(part));
-        break;
+    } else {
+        list().insert(&changed, list().size(&changed));
     }
-    case List::summaries: {
-        MeasuredSummary summary =
-            changed.summaries.empty() ? MeasuredSummary() : changed.summaries.back();
-        changed.summaries.push_back(std::move(summary));
-        break;
-    }
-    case List::traces: return; // they are imported
-    }
-    m_document.endMerge();
-    m_document.edit(std::move(project), {"Input", editName()});
+    edit(std::move(project), list());
 }
 
-void DataModel::takeAway(std::vector<int> rows) {
+void DataModel::takeAway(const std::set<int, std::greater<>>& rows) {
     if (rows.empty()) {
         return;
     }
-    std::ranges::sort(rows, std::greater<>());
-    Project project = m_document.project();
-    Measured& changed = project.measured ? *project.measured : project.measured.emplace();
-    switch (m_which) {
-    case List::parts: dropItems(changed.parts, rows); break;
-    case List::summaries: dropItems(changed.summaries, rows); break;
-    case List::traces: dropItems(changed.traces, rows); break;
+    Project project = document().project();
+    Measured& changed = *project.measured;
+    for (const int row : rows) {
+        list().erase(&changed, static_cast<std::size_t>(row));
     }
     if (changed.parts.empty() && changed.summaries.empty() && changed.traces.empty()
         && changed.calibrations.empty()) {
         project.measured.reset();
     }
-    m_document.endMerge();
-    m_document.edit(std::move(project), {"Input", editName()});
+    edit(std::move(project), list());
 }
 
 namespace {
@@ -396,25 +308,21 @@ public:
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
-    void setModelData(QWidget* editor, QAbstractItemModel* model,
-                      const QModelIndex& index) const override;
 };
 
 QWidget* DataDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                     const QModelIndex& index) const {
-    const auto choices = static_cast<const DataModel*>(index.model())->choices(index);
+    const auto& model = static_cast<const DataModel&>(*index.model());
+    const QStringList choices = model.choices(index.row(), model.field(index));
     const QString name = index.data(Qt::AccessibleTextRole).toString();
-    if (choices.empty()) {
+    if (choices.isEmpty()) {
         auto* line = new QLineEdit(parent);
         line->setFrame(false);
         line->setAccessibleName(name);
         return line;
     }
     auto* box = new QComboBox(parent);
-    for (const auto& [text, value] : choices) {
-        box->addItem(text, value);
-    }
+    box->addItems(choices);
     box->setAccessibleName(name);
     auto* self = const_cast<DataDelegate*>(this);
     connect(box, &QComboBox::activated, self, [self, box] {
@@ -422,23 +330,6 @@ QWidget* DataDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
         emit self->closeEditor(box);
     });
     return box;
-}
-
-void DataDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-    if (auto* box = qobject_cast<QComboBox*>(editor)) {
-        box->setCurrentIndex(box->findData(index.data(Qt::EditRole)));
-    } else if (auto* line = qobject_cast<QLineEdit*>(editor)) {
-        line->setText(index.data(Qt::EditRole).toString());
-    }
-}
-
-void DataDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
-                                const QModelIndex& index) const {
-    if (const auto* box = qobject_cast<QComboBox*>(editor)) {
-        model->setData(index, box->currentData(), Qt::EditRole);
-    } else if (const auto* line = qobject_cast<QLineEdit*>(editor)) {
-        model->setData(index, line->text(), Qt::EditRole);
-    }
 }
 
 constexpr int rowsMeasured = 50; ///< number used for column widths: a list may have thousands
@@ -507,13 +398,11 @@ void DataSheet::addRow() {
 }
 
 void DataSheet::removeRows() {
-    std::vector<int> rows;
+    std::set<int, std::greater<>> rows; // from the last one
     for (const QModelIndex& cell : m_table->selectionModel()->selectedIndexes()) {
-        if (std::ranges::find(rows, cell.row()) == rows.end()) {
-            rows.push_back(cell.row());
-        }
+        rows.insert(cell.row());
     }
-    m_model->takeAway(std::move(rows));
+    m_model->takeAway(rows);
 }
 
 void DataSheet::keyPressEvent(QKeyEvent* event) {

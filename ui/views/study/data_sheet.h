@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "ui/inputs/list_model.h"
 #include "ui/table/csv_table.h"
-#include "ui/table/value_table.h"
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
-#include <map>
-#include <utility>
-#include <vector>
+#include <functional>
+#include <set>
 
 class QLabel;
 class QPushButton;
@@ -20,53 +20,40 @@ namespace sparkout {
 class Document;
 struct Measured;
 
-/// A list of the project's measured data as a table to edit in place: a row for each item, a column
-/// for each member. A refused text is kept, with its reason, beside the unchanged value.
-class DataModel : public TableModel {
+/// A list of the project's measured data, with its words, places and several numbers in a cell.
+class DataModel : public ListModel {
     Q_OBJECT
 public:
     enum class List { parts, summaries, traces };
 
     DataModel(List list, Document& document, QObject* parent = nullptr);
 
-    void addRow(); ///< adds a copy of the last row
-    void takeAway(std::vector<int> rows);
-    /// The choices of a cell; empty if it is typed, or cannot be edited.
-    using Choices = std::vector<std::pair<QString, int>>;
-    [[nodiscard]] Choices choices(const QModelIndex& cell) const;
+    void addRow(); ///< adds a copy of the last row; of a part only its place
+    void takeAway(const std::set<int, std::greater<>>& rows);
+    /// The words to choose from in a cell; empty if it is typed, or cannot be edited.
+    [[nodiscard]] QStringList choices(int row, const Field& column) const;
     [[nodiscard]] CsvTable table() const;
 
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    /// Accepts what is displayed.
+    [[nodiscard]] QString takeText(Project& project, int row, const Field& column,
+                                   const QString& text) const override;
+
+protected:
+    [[nodiscard]] bool shows(const Field& column) const override;
+    [[nodiscard]] QString valueShown(const QModelIndex& index) const override;
 
 private:
-    [[nodiscard]] int rowsShown() const override { return m_rows; }
-    [[nodiscard]] int columnsShown() const override { return static_cast<int>(m_columns.size()); }
-    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
-    [[nodiscard]] QVariant head(int column, int role) const override;
-
     void follow();
-    [[nodiscard]] const Measured& measured() const;
-    [[nodiscard]] const void* item(int row) const;
-    [[nodiscard]] bool isPlace(const Field& field) const;
-    [[nodiscard]] bool isEditable(const Field& field) const;
-    [[nodiscard]] QString shown(int row, const Field& field) const;
-    /// Puts a text into an item; returns the reason of a refusal.
-    [[nodiscard]] QString take(void* item, const Field& field, const QString& text) const;
-    [[nodiscard]] QString takeNumber(void* item, const Field& field, const QString& text) const;
-    [[nodiscard]] const char* editName() const;
-
-    struct Refused {
-        QString text, reason;
-    };
+    void edit(Project project, const Field& of);
+    [[nodiscard]] bool isEditable(const Field& column) const;
 
     List m_which;
-    const Field& m_list;
-    Document& m_document;
     OptionalShared<Measured> m_shown;
-    int m_rows = 0;
-    std::vector<const Field*> m_columns;
-    std::map<std::pair<int, const Field*>, Refused> m_refused;
 };
 
 class CopyTable;

@@ -30,6 +30,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -39,7 +40,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace sparkout::test_measured_view {
 
@@ -111,6 +115,24 @@ QString write(const QTemporaryDir& folder, const char* name, const QByteArray& b
     const QString path = folder.filePath(QLatin1String(name));
     QFile file(path);
     return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() ? path : QString();
+}
+
+/// The editor of a cell, opened by F2; null if there is none of that kind.
+template <typename Editor>
+Editor* editorOf(CopyTable& table, int row, int column) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the last editor
+    table.setCurrentIndex(table.model()->index(row, column));
+    QTest::keyClick(&table, Qt::Key_F2);
+    return table.viewport()->findChild<Editor*>();
+}
+
+void typeInto(CopyTable& table, int row, int column, const QString& text) {
+    auto* line = editorOf<QLineEdit>(table, row, column);
+    QVERIFY(line);
+    line->clear();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
+    QCoreApplication::processEvents(); // it is taken after the key
 }
 
 /// Waits until the dialog has read its table.
@@ -352,15 +374,7 @@ private slots:
         QCOMPARE(desk.measured()->summaries.size(), 1U);
         auto& table = desk.part<CopyTable>("measuredSummaries");
         const auto type = [&table](int column, const QString& text) {
-            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the last editor
-            table.setCurrentIndex(table.model()->index(0, column));
-            QTest::keyClick(&table, Qt::Key_F2);
-            auto* line = table.viewport()->findChild<QLineEdit*>();
-            QVERIFY(line);
-            line->selectAll();
-            QTest::keyClicks(line, text);
-            QTest::keyClick(line, Qt::Key_Return);
-            QCoreApplication::processEvents(); // it is taken after the key
+            typeInto(table, 0, column, text);
         };
         type(2, QStringLiteral("20"));
         type(3, QStringLiteral("-40,5")); // a comma is a decimal one in every language
@@ -383,6 +397,71 @@ private slots:
             desk.bench.action("undo")->trigger();
         }
         QVERIFY(!desk.measured());
+    }
+
+    void partsAreEnteredByBoxAndByText() {
+        const Desk desk;
+        QVERIFY(desk.opened);
+        desk.part<QComboBox>("measuredSheet").setCurrentIndex(MeasuredView::parts);
+        auto& table = desk.part<CopyTable>("measuredParts");
+        QAbstractItemModel& model = *table.model();
+        constexpr int place = 1, diameters = 2, roundness = 3;
+        desk.click("measuredPartsAdd");
+        auto* box = editorOf<QComboBox>(table, 0, place);
+        QVERIFY(box);
+        QCOMPARE(box->currentText(), model.index(0, place).data().toString());
+        QTest::keyClick(box, Qt::Key_Down);
+        QCOMPARE(desk.measured()->parts.at(0).place, 1);
+        desk.click("measuredPartsAdd");
+        QCOMPARE(desk.measured()->parts.at(1).part, std::string("2"));
+        QCOMPARE(desk.measured()->parts[1].place, 1); // that of the row above
+        typeInto(table, 1, diameters, QStringLiteral("29.99; 29,98"));
+        typeInto(table, 1, roundness, QStringLiteral("1.2"));
+        QCOMPARE(desk.measured()->parts[1].roundness_um, std::optional(1.2));
+        typeInto(table, 1, roundness, QString());
+        // Three texts are refused and kept in sight, with the reason; the values stay.
+        typeInto(table, 1, diameters, QStringLiteral("29.99; x"));
+        typeInto(table, 1, roundness, QStringLiteral("-1"));
+        QVERIFY(!model.setData(model.index(1, place), QStringLiteral("elsewhere")));
+        for (const auto& [column, text, reason] :
+             {std::tuple{diameters, "29.99; x", "separate several by semicolons"},
+              std::tuple{roundness, "-1", "out of range; allowed: 0 to"},
+              std::tuple{place, "elsewhere", "not one of the choices"}}) {
+            const QModelIndex cell = model.index(1, column);
+            QCOMPARE(cell.data().toString(), QLatin1String(text));
+            const QString tip = cell.data(Qt::ToolTipRole).toString();
+            QVERIFY2(tip.contains(QLatin1String(reason)), qPrintable(tip));
+        }
+        const MeasuredPart& entered = desk.measured()->parts[1];
+        QCOMPARE(entered.diameters_mm, (std::vector{29.99, 29.98}));
+        QVERIFY(!entered.roundness_um);
+        QCOMPARE(entered.place, 1);
+        for (int edits = 0; edits < 6; ++edits) { // one for each row and each accepted value
+            QVERIFY(desk.measured());
+            desk.bench.action("undo")->trigger();
+        }
+        QVERIFY(!desk.measured());
+    }
+
+    void ofATraceOnlyWhatDescribesItIsEdited() {
+        const Desk desk;
+        QVERIFY(desk.opened);
+        desk.bench.window->document().startUntitled(traced::heldOut());
+        const QAbstractItemModel& model = *desk.part<CopyTable>("measuredTraces").model();
+        QCOMPARE(model.rowCount(), int(desk.measured()->traces.size()));
+        QStringList heads, edited;
+        for (int column = 0; column < model.columnCount(); ++column) {
+            heads << model.headerData(column, Qt::Horizontal).toString().replace(u'\n', u' ');
+            if (model.flags(model.index(0, column)) & Qt::ItemIsEditable) {
+                edited << heads.last();
+            }
+        }
+        const QStringList described{QStringLiteral("Zone or section"),
+                                    QStringLiteral("Power to current, kW/A"),
+                                    QStringLiteral("Idle value"), QStringLiteral("Note")};
+        QCOMPARE(edited, described);
+        QCOMPARE(model.index(0, int(heads.indexOf(QStringLiteral("Samples")))).data().toString(),
+                 QLocale().toString(qulonglong(desk.measured()->traces[0].values.size())));
     }
 
     /// Without parts to compare, the sentence stands below that of the traces.
