@@ -61,6 +61,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     [[nodiscard]] bool hasFittedValues() const; ///< not moved since they were fitted
     void takeCharts();                          ///< makes and draws the charts; fitValues() follows
+    void fitPlaces();                           ///< fits only the axes of the places
     virtual void cellsBuilt() {}                ///< all axes were replaced
     [[nodiscard]] std::optional<std::size_t> cellAt(const QPointF& at) const;
     [[nodiscard]] std::optional<XY> placeAt(const QPointF& at) const; ///< within a cell
@@ -100,7 +101,6 @@ private:
     void follow(const QCPAxisRect& rect); ///< its values, for tieSecond()
     void tieSecond();                     ///< sets the second axes that are tied to the first
     void styleTexts();                    ///< of headings and caption
-    void fitPlaces();
     void followValues();
 
     GridMaker m_make;

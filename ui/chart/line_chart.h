@@ -129,9 +129,9 @@ struct ChartZone {
 
 /// A coloured interval of the horizontal axis with its name.
 struct Band {
-    double from = 0, to = 0; ///< in the unit of the axis
-    QColor colour;
-    QString name;    ///< "stage 1", drawn above the axis rect
+    double from = 0, to = 0;                       ///< in the unit of the axis
+    std::function<QColor(const QPalette&)> colour; ///< by the palette it is drawn with
+    QString name;                                  ///< "stage 1", drawn above the axis rect
     QString brief;   ///< "st. 1", used if names are too long; may be empty
     QString meaning; ///< "E1: plunge-in", for tooltips
 };

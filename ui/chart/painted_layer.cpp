@@ -66,23 +66,30 @@ struct BandLayer::Name {
     [[nodiscard]] bool touchesBand() const { return left < to && left + width > from; }
 };
 
-Band zoneBand(Zone zone, int section, double from, double to, const QPalette& palette,
-              int middleAlpha) {
+Band zoneBand(Zone zone, int section, double from, double to, int middleAlpha) {
     constexpr int endAlpha = 28;
     const bool middle = zone == Zone::nz;
-    const QColor colour = style::filling(
-        style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette),
-        middle ? middleAlpha : endAlpha, palette);
+    const style::Drawn drawn = middle ? style::Drawn::middleZone : style::Drawn::endZone;
+    const int alpha = middle ? middleAlpha : endAlpha;
+    const auto colour = [drawn, alpha](const QPalette& palette) {
+        return style::filling(style::colour(drawn, palette), alpha, palette);
+    };
     return {from, to, colour, Names::zone(zone, section), {}, Names::zoneFull(zone, section)};
 }
 
 BandLayer::BandLayer(QCPAxisRect* rect, bool showNames)
-    : PaintedLayer(*rect, QStringLiteral("bands"), Edges::sharp), m_showNames(showNames) {}
+    : PaintedLayer(*rect, QStringLiteral("bands"), Edges::sharp), m_showNames(showNames) {
+    moveToLayer(layer(), true); // behind what was there before
+}
 
 const Band* BandLayer::bandAt(double x) const {
     const auto it =
         std::ranges::find_if(m_bands, [x](const Band& b) { return b.from <= x && x < b.to; });
     return it == m_bands.end() ? nullptr : &*it;
+}
+
+QColor BandLayer::colourOf(const Band& band) const {
+    return band.colour(mParentPlot->palette());
 }
 
 int BandLayer::nameMargin(const QFont& font) {
@@ -100,15 +107,16 @@ void BandLayer::draw(QCPPainter* painter) {
     for (std::size_t i = 0; i < m_bands.size();) {
         // Merges neighbours of one colour: each rectangle costs Qt a change of threads.
         const Band& first = m_bands[i];
+        const QColor colour = colourOf(first);
         double end = first.to;
-        for (++i; i < m_bands.size() && m_bands[i].from == end && m_bands[i].colour == first.colour;
+        for (++i; i < m_bands.size() && m_bands[i].from == end && colourOf(m_bands[i]) == colour;
              ++i) {
             end = m_bands[i].to;
         }
         const double from = std::max(axis->coordToPixel(first.from), area.left());
         const double to = std::min(axis->coordToPixel(end), area.right() + 1);
         if (to > from) {
-            painter->setBrush(first.colour);
+            painter->setBrush(colour);
             painter->drawRect(QRectF(from, area.top(), to - from, area.height()));
         }
     }
@@ -175,7 +183,7 @@ void BandLayer::drawNames(QCPPainter* painter, const QRectF& area) {
         const QRectF box(name.left, area.top() - 2 - metrics.height(), name.width,
                          metrics.height());
         painter->setPen(Qt::NoPen);
-        painter->setBrush(name.band->colour);
+        painter->setBrush(colourOf(*name.band));
         painter->drawRect(box);
         painter->setPen(mParentPlot->palette().color(QPalette::Text));
         painter->drawText(QPointF(box.left() + namePad, box.bottom() - metrics.descent()),

@@ -58,10 +58,9 @@ private:
 };
 
 /// A zone or section, from end to end, in the colour of its kind.
-[[nodiscard]] Band zoneBand(Zone zone, int section, double from, double to, const QPalette& palette,
-                            int middleAlpha = 38);
+[[nodiscard]] Band zoneBand(Zone zone, int section, double from, double to, int middleAlpha = 38);
 
-/// Draws bands behind the curves of one axis rect, and their names in one line of its upper margin,
+/// Draws bands behind all else in one axis rect, and their names in one line of its upper margin,
 /// where they cover no data. A name always touches its band and has its colour; where not all names
 /// fit, the brief names are tried, then the narrowest bands have none.
 class BandLayer : public PaintedLayer {
@@ -88,6 +87,7 @@ protected:
 
 private:
     struct Name;
+    [[nodiscard]] QColor colourOf(const Band& band) const;
     [[nodiscard]] std::vector<Name> namesIn(const QRectF& area, bool brief) const;
     void drawNames(QCPPainter* painter, const QRectF& area);
 

@@ -83,6 +83,31 @@ private slots:
         }
     }
 
+    /// At the radius named, with its depth and the stock that it keeps.
+    void everyCutIsAVisitOfItsZone() {
+        for (const Project& project : {limited(fixtures::traverse()), limited(plungeOfThree())}) {
+            const Drawn drawn(project);
+            const double target = targetRadius(*project.part);
+            for (const LimitGroup& group : drawn.series.groups) {
+                for (const LimitedCut& cut : group.cuts) {
+                    const auto holdsIt = [&](const Pass& pass) {
+                        const Visit& visit =
+                            drawn.trajectory
+                                .visits[pass.firstVisit + static_cast<std::size_t>(cut.radius)];
+                        return pass.place.zone == group.zone
+                               && pass.place.section == cut.place.section
+                               && pass.place.cycleCount == cut.place.cycleCount
+                               && visit.actual_mm == cut.depth_mm
+                               && std::abs(visit.radius_mm + visit.printed_mm - target
+                                           - cut.stock_mm)
+                                      < 1e-12;
+                    };
+                    QVERIFY(std::ranges::any_of(drawn.trajectory.passes, holdsIt));
+                }
+            }
+        }
+    }
+
     void theWorstCutIsTheVisitNearestToBurning() {
         for (Project project : {fixtures::traverse(), plungeOfThree()}) {
             project.material->burn_rise_k = 500;

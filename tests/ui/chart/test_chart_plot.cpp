@@ -4,6 +4,8 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/chart/chart_plot.h"
+#include "ui/chart/painted_layer.h"
+#include "ui/kit/theme.h"
 
 #include <QSignalSpy>
 
@@ -60,6 +62,13 @@ ChartGrid grid(std::size_t columns) {
     return grid;
 }
 
+/// Something else in the background of a plot.
+struct Background : PaintedLayer {
+    explicit Background(ChartPlot& plot)
+        : PaintedLayer(plot.cell(), QStringLiteral("bands"), Edges::sharp) {}
+    void draw(QCPPainter*) override {}
+};
+
 class TestChartPlot : public QObject {
     Q_OBJECT
 
@@ -104,6 +113,22 @@ private slots:
         QCOMPARE(plot.graphCount(), 2);
         QCOMPARE(top(0), 4.0);
         QVERIFY(!plot.legendEntries().front().shown);
+    }
+
+    /// Even where the first chart with bands comes after what else is in the background.
+    void bandsAreBehindAllElseAndFollowThePalette() {
+        LineChart chart = sample();
+        ChartPlot plot;
+        new Background(plot);
+        plot.setChart([&chart] { return chart; });
+        QVERIFY(!plot.bands(0));
+        chart.bands = {zoneBand(Zone::rz1, 0, 0, 1), zoneBand(Zone::nz, 0, 1, 2)};
+        plot.remake();
+        const QList<QCPLayerable*> drawn = plot.layer(QStringLiteral("bands"))->children();
+        QVERIFY(drawn.size() > 2); // with the zone of the chart
+        QCOMPARE(drawn.front(), static_cast<QCPLayerable*>(plot.bands(0)));
+        const auto& colour = plot.bands(0)->bands().front().colour;
+        QVERIFY(colour(paletteOf(Theme::light)) != colour(paletteOf(Theme::contrast)));
     }
 
     void theCursorsAndTheCopyHaveWhatIsShown() {

@@ -279,7 +279,7 @@ LineChart FeedsChart::cell(std::size_t column, std::size_t row, const CurveChoic
     return chart;
 }
 
-ChartGrid FeedsChart::grid(const CurveChoice& choice, const QPalette& palette) const {
+ChartGrid FeedsChart::grid(const CurveChoice& choice) const {
     ChartGrid grid{.columns = columnCount(), .caption = timeLabel(), .sharesValues = true};
     for (std::size_t row = 0; !isEmpty() && row < rowCount; ++row) {
         const ChartAxis up = axis(row, false, choice), second = axis(row, true, choice);
@@ -287,7 +287,7 @@ ChartGrid FeedsChart::grid(const CurveChoice& choice, const QPalette& palette) c
             LineChart chart = cell(column, row, choice);
             chart.up = up;
             chart.second = second;
-            chart.bands = showsSteps() ? stepBands(column, palette) : stageBands(palette);
+            chart.bands = showsSteps() ? stepBands(column) : stageBands();
             grid.cells.push_back(std::move(chart));
         }
     }
@@ -297,15 +297,18 @@ ChartGrid FeedsChart::grid(const CurveChoice& choice, const QPalette& palette) c
     return grid;
 }
 
-std::vector<Band> FeedsChart::stepBands(std::size_t column, const QPalette& palette) const {
+std::vector<Band> FeedsChart::stepBands(std::size_t column) const {
     std::vector<Band> bands;
     for (const StepSpan& span : stepsOf(column)) {
         const Place& place = span.place;
         const QString name = Names::step(place.step);
         const QString meaning = tr("%1: %2").arg(name, Names::stepMeaning(place.zone, place.step));
+        const auto colour = [zone = place.zone, step = place.step](const QPalette& palette) {
+            return stepColour(zone, step, palette);
+        };
         bands.push_back({m_times.scale.at(span.start_s),
                          m_times.scale.at(span.end_s),
-                         stepColour(place.zone, place.step, palette),
+                         colour,
                          name,
                          {},
                          meaning});
@@ -313,13 +316,15 @@ std::vector<Band> FeedsChart::stepBands(std::size_t column, const QPalette& pale
     return bands;
 }
 
-std::vector<Band> FeedsChart::stageBands(const QPalette& palette) const {
+std::vector<Band> FeedsChart::stageBands() const {
     std::vector<Band> bands;
     for (const StageSpan& span : series().stages) {
         const bool odd = span.stage % 2 == 1;
-        const QColor colour = style::filling(
-            style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette),
-            odd ? 28 : 38, palette);
+        const auto colour = [odd](const QPalette& palette) {
+            return style::filling(
+                style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette),
+                odd ? 28 : 38, palette);
+        };
         const QString name = tr("stage %1").arg(span.stage);
         bands.push_back({m_times.scale.at(span.start_s), m_times.scale.at(span.end_s), colour, name,
                          tr("st. %1", "stage, short").arg(span.stage), name});

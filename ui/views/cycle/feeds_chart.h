@@ -51,8 +51,8 @@ public:
 
     /// The cells, row by row. Without the spread if it is hidden; the values are fitted to the
     /// visible curves.
-    [[nodiscard]] ChartGrid grid(const CurveChoice& choice, const QPalette& palette) const;
-    [[nodiscard]] std::vector<Band> stageBands(const QPalette& palette) const;
+    [[nodiscard]] ChartGrid grid(const CurveChoice& choice) const;
+    [[nodiscard]] std::vector<Band> stageBands() const;
     [[nodiscard]] static QColor stepColour(Zone zone, Step step, const QPalette& palette);
     /// A feed and its sum share one entry of the legend.
     [[nodiscard]] static int keyOf(Quantity quantity);
@@ -90,7 +90,7 @@ private:
     /// A readable curve, also outside the visible range.
     [[nodiscard]] ReadCurve readCurve(std::size_t column, Quantity quantity) const;
     [[nodiscard]] std::vector<StepSpan> stepsOf(std::size_t column) const;
-    [[nodiscard]] std::vector<Band> stepBands(std::size_t column, const QPalette& palette) const;
+    [[nodiscard]] std::vector<Band> stepBands(std::size_t column) const;
 
     OutcomePtr m_outcome;
     CycleAxis m_axis = CycleAxis::time;

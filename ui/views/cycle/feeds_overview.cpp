@@ -79,10 +79,10 @@ void FeedsOverview::drawCurves() {
         return;
     }
     QPainter painter(&m_curves);
-    for (const Band& band : m_plot.feeds().stageBands(palette())) {
+    for (const Band& band : m_plot.feeds().stageBands()) {
         painter.fillRect(QRectF(band.from / whole * width(), 0,
                                 (band.to - band.from) / whole * width(), height()),
-                         band.colour);
+                         band.colour(palette()));
     }
     double highest = 0;
     std::vector<std::vector<XY>> lines;

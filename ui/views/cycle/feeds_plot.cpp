@@ -112,7 +112,7 @@ FeedsPlot::FeedsPlot(QWidget* parent) : CyclePlot(parent) {
 }
 
 ChartGrid FeedsPlot::made() const {
-    ChartGrid grid = m_chart.grid(choice(), palette());
+    ChartGrid grid = m_chart.grid(choice());
     for (std::size_t i = 0; i < grid.cells.size(); ++i) {
         if (const RowValues& row = m_values[i / grid.columns]; !row.left.empty()) {
             grid.cells[i].up.range = row.left;
@@ -211,12 +211,6 @@ ReadCurves FeedsPlot::readCurves() const {
         std::ranges::move(m_beside(), std::back_inserter(curves));
     }
     return curves;
-}
-
-/// The colours of the bands belong to a palette.
-void FeedsPlot::restyle() {
-    takeCharts();
-    CyclePlot::restyle();
 }
 
 LegendEntries FeedsPlot::legendEntries() const {

@@ -67,7 +67,6 @@ public:
     void showTimes(double from_s, double to_s); ///< no replot
     void showAll() { showTimes(0, series().end_s); }
     void fit() override;
-    void restyle() override;
     [[nodiscard]] PlotHistory::State visibleRange() const override;
     void setVisibleRange(const PlotHistory::State& state) override;
 

@@ -41,11 +41,11 @@ QColor LayersLook::layer(const LayerSeries& series, std::size_t span, const QPal
     return colour;
 }
 
-std::vector<Band> LayersLook::zoneBands(const LayerSeries& series, const QPalette& palette) {
+std::vector<Band> LayersLook::zoneBands(const LayerSeries& series) {
     std::vector<Band> bands;
     for (const LayerColumn& column : series.columns) {
         bands.push_back(zoneBand(column.zone, column.section, column.stretch.from_mm,
-                                 column.stretch.to_mm, palette, bandAlpha));
+                                 column.stretch.to_mm, bandAlpha));
     }
     std::ranges::sort(bands, {}, &Band::from);
     return bands;
@@ -104,32 +104,26 @@ constexpr int rightMargin = 14; ///< half of a number [px]
 constexpr int tickOut = 4;      ///< [px]
 } // namespace
 
-PartPlot::PartPlot(QWidget* parent) : ChartPlot(parent), m_bands(new BandLayer(&cell(), true)) {}
-
-LineChart PartPlot::partChart() {
+LineChart PartPlot::partChart() const {
     LineChart chart;
     chart.isFramed = true;
     chart.across.label = tr("From the headstock end of the ground length, mm");
     chart.up.label = tr("Radius from\ntarget, µm");
     chart.across.room = chart.up.room = 0;
+    chart.bands = LayersLook::zoneBands(zones());
+    chart.namesBands = true;
     return chart;
-}
-
-void PartPlot::fillBands() {
-    m_bands->setBands(LayersLook::zoneBands(zones(), palette()));
 }
 
 void PartPlot::restyle() {
     ChartPlot::restyle();
     across().setOffset(stripHeight());
     cell().setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), rightMargin, 0));
-    fillBands();
 }
 
 void PartPlot::setTexts() {
     ChartPlot::setTexts();
     across().setTickLength(0, tickOut); // the axis is named above them
-    fillBands();
 }
 
 QRect PartPlot::painted() const {

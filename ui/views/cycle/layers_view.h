@@ -18,8 +18,6 @@ class QLabel;
 
 namespace sparkout {
 
-class BandLayer;
-
 /// Colours and words that the stacked layers and their surface share.
 class LayersLook {
     Q_DECLARE_TR_FUNCTIONS(LayersLook)
@@ -29,8 +27,7 @@ public:
     [[nodiscard]] static QColor layer(const LayerSeries& series, std::size_t span,
                                       const QPalette& palette);
     /// The zones or sections along the length, by rising length.
-    [[nodiscard]] static std::vector<Band> zoneBands(const LayerSeries& series,
-                                                     const QPalette& palette);
+    [[nodiscard]] static std::vector<Band> zoneBands(const LayerSeries& series);
     [[nodiscard]] static QColor uncut(const QPalette& palette); ///< stock still to be removed
     /// A swatch for each stage; the key is its number.
     [[nodiscard]] static LegendEntries stages(const LayerSeries& series, const CurveChoice& choice,
@@ -55,16 +52,11 @@ public:
     void drawPartAxis(QCPPainter& painter) const;
 
 protected:
-    explicit PartPlot(QWidget* parent);
+    explicit PartPlot(QWidget* parent) : ChartPlot(parent) {}
 
     [[nodiscard]] virtual const LayerSeries& zones() const = 0; ///< series with the bands
-    [[nodiscard]] static LineChart partChart();                 ///< without series
+    [[nodiscard]] LineChart partChart() const;                  ///< axes and bands, without series
     void setTexts() override;
-
-private:
-    void fillBands();
-
-    BandLayer* m_bands;
 };
 
 /// The stock in a section along the part's axis, layer on layer, from the blank to the final

@@ -348,12 +348,14 @@ void CompliancePlot::fillBands() {
         for (const CompliantPoint& point : compliantPoints(project)) {
             bands.push_back(zoneBand(static_cast<Zone>(bands.size()), 0,
                                      point.position_mm - point.length_mm / 2,
-                                     point.position_mm + point.length_mm / 2, palette()));
+                                     point.position_mm + point.length_mm / 2));
         }
     } else {
         Band band;
         band.to = project.part->length_mm;
-        band.colour = style::thinned(style::colour(Drawn::endZone, palette()), 28);
+        band.colour = [](const QPalette& palette) {
+            return style::thinned(style::colour(Drawn::endZone, palette), 28);
+        };
         band.name = tr("ground length");
         bands.push_back(band);
     }
@@ -408,13 +410,6 @@ QList<QCPAxis*> CompliancePlot::movedAxes(QCPAxisRect& rect) const {
 }
 
 // --- look, words and numbers --------------------------------------------------------------------
-
-void CompliancePlot::restyle() {
-    ChartPlot::restyle();
-    if (m_outcome) {
-        fillBands();
-    }
-}
 
 void CompliancePlot::setTexts() {
     ChartPlot::setTexts();

@@ -88,7 +88,6 @@ public:
     /// Fits the values again if the curves exceed the range or fill little of it, unless the user
     /// has zoomed.
     void refitValues();
-    void restyle() override;
 
     [[nodiscard]] QCPAxisRect* shaftRect() const { return m_shaftRect; }
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;

@@ -148,7 +148,7 @@ void LongitudinalPlot::fillBands() {
         if (sections && std::ranges::find(m_shown, static_cast<int>(i)) == m_shown.end()) {
             continue;
         }
-        Band band = zoneBand(p.zone, p.section, p.from_mm, p.to_mm, palette());
+        Band band = zoneBand(p.zone, p.section, p.from_mm, p.to_mm);
         if (p.zone == Zone::rz1) {
             band.name = tr("%1 (entry)").arg(band.name);
         } else if (p.zone == Zone::rz2) {
@@ -448,7 +448,6 @@ void LongitudinalPlot::restyle() {
     m_gaugeLine->setPen(gauge);
     m_gaugeName->setColor(gauge.color());
     m_gaugeName->setFont(font());
-    fillBands();
 }
 
 } // namespace sparkout

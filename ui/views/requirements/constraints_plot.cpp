@@ -543,11 +543,16 @@ void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
     m_fitNext = false;
     m_limits = LimitChart(std::move(outcome), group, m_limits.requirement());
     remake();
-    if (same) {
-        refit();
-    } else {
+    if (!same) {
         fit();
+        return;
     }
+    const ChartSpan cycle = chart().readSpan;
+    const QCPRange stock = across().range();
+    if (cycle.high < stock.lower || cycle.low > stock.upper) { // nothing of it would be visible
+        fitPlaces();
+    }
+    refit();
 }
 
 void ConstraintsPlot::setLogarithmic(bool on) {
@@ -571,29 +576,6 @@ std::optional<double> ConstraintsPlot::moment_um() const {
 
 QRectF ConstraintsPlot::callOut() const {
     return m_labels->callOut;
-}
-
-void ConstraintsPlot::fit() {
-    ChartPlot::fit();
-    m_fittedStock = across().range();
-    m_fittedFeeds = up().range();
-}
-
-/// Refits each axis that the user has not zoomed, so that a run looks the same after an edit and
-/// after its undo; also the stock axis if nothing of the cycle would remain visible.
-void ConstraintsPlot::refit() {
-    const QCPRange stock = across().range(), feeds = up().range();
-    const QCPRange fittedStock = m_fittedStock, fittedFeeds = m_fittedFeeds;
-    const ChartSpan cycle = chart().readSpan;
-    fit();
-    if (stock != fittedStock && cycle.high >= stock.lower && cycle.low <= stock.upper) {
-        across().setRange(stock);
-        m_fittedStock = fittedStock;
-    }
-    if (feeds != fittedFeeds) {
-        up().setRange(feeds);
-        m_fittedFeeds = fittedFeeds;
-    }
 }
 
 LegendEntries ConstraintsPlot::legendEntries() const {

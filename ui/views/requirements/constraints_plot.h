@@ -104,7 +104,6 @@ public:
     /// limit.
     void setMarked(const std::optional<ConstraintResult>& requirement);
     void setMoment(std::optional<double> stock_mm); ///< stock at the moment of the cycle
-    void fit() override;
     void fitNext() { m_fitNext = true; } ///< the next run is of another part
 
     [[nodiscard]] int group() const { return m_limits.group(); }
@@ -117,14 +116,11 @@ public:
 
 private:
     class Labels;
-    void refit();
 
     LimitChart m_limits;
     Labels* m_labels;
     HairLine* m_moment;
     bool m_isLogarithmic = false;
-    QCPRange m_fittedStock; ///< axis range of the last fit
-    QCPRange m_fittedFeeds; ///< axis range of the last fit
     bool m_fitNext = false;
 };
 

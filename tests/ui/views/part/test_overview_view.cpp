@@ -10,6 +10,7 @@
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 #include "tests/ui/support/text_checks.h"
+#include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/chart/bar_plot.h"
 #include "ui/chart/legend.h"
@@ -29,6 +30,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -119,10 +121,23 @@ private slots:
 
     // --- the numbers ----------------------------------------------------------------------------
 
-    void timesAreThoseOfTheEngine() {
+    void everyTileDrawsItsChart() {
         const Desk desk(fixtures::traverseProject());
-        const BarChart& chart = desk.plot(times).chart();
-        const SimulationResult& result = desk.outcome().result;
+        const Outcome& outcome = desk.outcome();
+        for (const auto& [tile, chart] :
+             {std::pair(times, OverviewCharts::times(outcome)),
+              std::pair(stock, OverviewCharts::stock(outcome)),
+              std::pair(diameters, OverviewCharts::diameters(outcome)),
+              std::pair(requirements, OverviewCharts::requirements(outcome))}) {
+            QVERIFY(!chart.description().isEmpty());
+            QCOMPARE(desk.plot(tile).chart().description(), chart.description());
+        }
+    }
+
+    void timesAreThoseOfTheEngine() {
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        const BarChart chart = OverviewCharts::times(*outcome);
+        const SimulationResult& result = outcome->result;
         QCOMPARE(chart.categories.size(), qsizetype(result.timeByStage_s.size()));
         QCOMPARE(chart.series.size(), std::size_t(6)); // all steps of a stroke with two dwells
         double all = 0;
@@ -135,16 +150,16 @@ private slots:
     }
 
     void stockIsThatOfTheEngineZoneByZone() {
-        const Desk desk(fixtures::traverseProject());
-        const BarChart& chart = desk.plot(stock).chart();
-        const auto stages = desk.outcome().steps.time_s.size();
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        const BarChart chart = OverviewCharts::stock(*outcome);
+        const auto stages = outcome->steps.time_s.size();
         QCOMPARE(chart.categories.size(), qsizetype(3 * stages));
         for (std::size_t zone = 0; zone < 3; ++zone) {
             double removed_um = 0;
             for (std::size_t stage = 0; stage < stages; ++stage) {
                 removed_um += chart.total(3 * stage + zone);
             }
-            const LayerColumn& layers = desk.outcome().layers.columns[zone];
+            const LayerColumn& layers = outcome->layers.columns[zone];
             QVERIFY(std::abs(removed_um - 1000 * (layers.blank_mm - layers.final_mm)) < 1e-6);
         }
         QVERIFY(chart.described(2, 0).contains(QStringLiteral("E3")));
@@ -152,9 +167,9 @@ private slots:
     }
 
     void aDiametersSharesAddUpToItsDeviation() {
-        const Desk desk(fixtures::traverseProject());
-        const BarChart& chart = desk.plot(diameters).chart();
-        const auto& sections = desk.outcome().result.sections;
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        const BarChart chart = OverviewCharts::diameters(*outcome);
+        const auto& sections = outcome->result.sections;
         QCOMPARE(chart.sums.size(), 2 * sections.size());
         for (std::size_t i = 0; i < sections.size(); ++i) {
             QVERIFY(std::abs(chart.total(2 * i) - 1000 * sections[i].diameterDeviationMin_mm)
@@ -163,13 +178,13 @@ private slots:
                     < 1e-6);
             QVERIFY(std::abs(chart.sums[2 * i] - chart.total(2 * i)) < 1e-9);
         }
-        QCOMPARE(chart.band->low, desk.outcome().result.project.part->lower_deviation_um);
+        QCOMPARE(chart.band->low, outcome->result.project.part->lower_deviation_um);
     }
 
     void requirementsAreThoseOfTheEngineTheWorstFirst() {
-        const Desk desk(fixtures::traverseProject());
-        const BarChart& chart = desk.plot(requirements).chart();
-        const auto shown = OverviewCharts::requirementsShown(desk.outcome());
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        const BarChart chart = OverviewCharts::requirements(*outcome);
+        const auto shown = OverviewCharts::requirementsShown(*outcome);
         QVERIFY(shown.size() > 2);
         QCOMPARE(chart.categories.size(), qsizetype(shown.size()));
         for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -184,9 +199,9 @@ private slots:
     void whatIsNotDecidedIsDrawnAsThat() {
         Project project = fixtures::traverseProject(); // whose machine's runout is not known
         project.part->tolerance.radial_runout_um = 100;
-        const Desk desk(project);
-        const BarChart& chart = desk.plot(requirements).chart();
-        const auto shown = OverviewCharts::requirementsShown(desk.outcome());
+        const OutcomePtr outcome = fixtures::run(project);
+        const BarChart chart = OverviewCharts::requirements(*outcome);
+        const auto shown = OverviewCharts::requirementsShown(*outcome);
         int undecided = 0;
         for (std::size_t i = 0; i < shown.size(); ++i) {
             for (const BarSeries& series : chart.series) {

@@ -59,41 +59,31 @@ private slots:
         QVERIFY(!view.plot()->moment_um());
     }
 
-    void theCutsDrawnAreTheTrajectorys() {
+    /// In µm, the stock left across and the depth up; a limit that is off has no curve.
+    void theChartHasTheCutsAndLimitsOfEachGroup() {
         const OutcomePtr outcome = run(limitedProject());
-        Shown shown(outcome);
-        const auto& groups = outcome->limits.groups;
-        auto& zones = shown.part<QComboBox>("constraintsZone");
-        QCOMPARE(zones.count(), static_cast<int>(groups.size()));
-        for (int g = 0; g < zones.count(); ++g) {
-            zones.setCurrentIndex(g);
-            const LimitGroup& group = groups[static_cast<std::size_t>(g)];
-            const std::vector<XY> drawn = shown.actual();
-            QCOMPARE(drawn.size(), group.cuts.size());
-            // Each is a visit of that zone, with the stock its radius keeps.
-            for (std::size_t i = 0; i < drawn.size(); i += 7) {
-                const double stock_um = drawn[i].x, depth_um = drawn[i].y;
-                const bool found =
-                    std::ranges::any_of(outcome->trajectory.passes, [&](const Pass& pass) {
-                        if (pass.place.zone != group.zone) {
-                            return false;
-                        }
-                        for (int k = 0; k < outcome->trajectory.radii; ++k) {
-                            const Visit& v =
-                                outcome->trajectory
-                                    .visits[pass.firstVisit + static_cast<std::size_t>(k)];
-                            if (std::abs(v.actual_mm * 1000 - depth_um) < 1e-9
-                                && std::abs((v.radius_mm - outcome->feeds.target_mm) * 1000
-                                            - stock_um)
-                                       < 1e-9) {
-                                return true;
-                            }
-                        }
-                        return false;
-                    });
-                QVERIFY(found);
+        std::size_t cuts = 0, limits = 0;
+        for (std::size_t g = 0; g < outcome->limits.groups.size(); ++g) {
+            const LimitGroup& group = outcome->limits.groups[g];
+            const LineChart chart = LimitChart(outcome, static_cast<int>(g), {}).chart(false);
+            const auto draws = [&chart](int key, const auto& points) {
+                const ChartSeries* const of = chart.find(key);
+                const std::vector<XY> drawn = of ? of->points : std::vector<XY>();
+                return std::ranges::equal(drawn, points, [](const XY& at, const auto& point) {
+                    return std::abs(at.x - point.stock_mm * 1000) < 1e-9
+                           && std::abs(at.y - point.depth_mm * 1000) < 1e-9 * std::max(1.0, at.y);
+                });
+            };
+            QVERIFY(draws(LimitChart::actualKey, group.cuts));
+            cuts += group.cuts.size();
+            QVERIFY(draws(LimitChart::steplessKey, steplessLimit(outcome->limits, group)));
+            for (const ConstraintKind kind : depthLimitKinds()) {
+                const LimitPoints curve = limitCurve(outcome->limits, group, kind);
+                QVERIFY(draws(static_cast<int>(kind), curve));
+                limits += curve.empty() ? 0 : 1;
             }
         }
+        QVERIFY(cuts > 50 && limits > outcome->limits.groups.size());
     }
 
     /// A ribbon lies on the least of the limits at each stock, in its colour and with its name.
@@ -138,33 +128,6 @@ private slots:
         QVERIFY(std::ranges::any_of(entries, [](const LegendEntry& entry) {
             return entry.text.contains(QStringLiteral("what binds"));
         }));
-    }
-
-    void theCurvesDrawnAreTheEnginesLimits() {
-        const Project project = limitedProject();
-        const OutcomePtr outcome = run(project);
-        Shown shown(outcome);
-        for (const ConstraintKind kind :
-             {ConstraintKind::burn, ConstraintKind::wheelPower, ConstraintKind::roughness}) {
-            const std::vector<XY> drawn = shown.points(static_cast<int>(kind));
-            QVERIFY(!drawn.empty());
-            const LimitGroup& group =
-                outcome->limits.groups[static_cast<std::size_t>(shown.plot().group())];
-            for (const XY& point : drawn) {
-                bool met = false;
-                for (const LimitedStage& stage : group.stages) {
-                    for (const DepthLimit& limit :
-                         depthLimits(project, stage.width_mm, point.x / 1000)) {
-                        met = met
-                              || (limit.kind == kind
-                                  && std::abs(limit.depth_mm * 1000 - point.y) < 1e-9 * point.y);
-                    }
-                }
-                QVERIFY(met);
-            }
-        }
-        QVERIFY(shown.points(static_cast<int>(ConstraintKind::selfSharpening)).empty());
-        QVERIFY(shown.points(LimitChart::steplessKey).size() > 2);
     }
 
     /// The examples of the three limits, with the programme and the feeds in mm/min.

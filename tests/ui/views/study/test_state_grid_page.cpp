@@ -181,9 +181,8 @@ private slots:
     }
 
     void theWayBackFollowsThePredecessors() {
-        Bench bench(traverse());
-        QVERIFY(bench.settled());
-        const StateGrid& grid = bench.grid();
+        const Project project = traverse();
+        const StateGrid grid = *fillStateGrid(project, usualStateGrid(project));
         QVERIFY(!grid.path.empty());
         const int filling = momentsOfFilling(grid);
         QCOMPARE(momentCount(grid) - filling, grid.size.levels);
