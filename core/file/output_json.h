@@ -19,7 +19,7 @@ template <class Owner>
                                                  const Owner& owner) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const Output<Owner>& row : rows) {
-        if (*row.key && (!row.stated || row.stated(owner))) {
+        if (*row.key && row.isStated(owner)) {
             json[row.key] = outputJson(row.of(owner));
         }
     }
