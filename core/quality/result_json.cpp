@@ -276,9 +276,6 @@ ordered_json zoneSectionsJson(const SimulationResult& result, const ZoneFigures&
         ordered_json json = outputsJson(positionOutputs(), section);
         json.update(outputsJson(zoneSectionOutputs(),
                                 {section, zone.project->part->diameter_mm / 2, zone.surface}));
-        if (!zone.surface.isWhole()) {
-            json["diameter_deviation_um"] = ordered_json::array({nullptr, nullptr});
-        }
         list.push_back(std::move(json));
     }
     return list;
