@@ -4,6 +4,7 @@
 #include "core/batch/sweep_run.h"
 #include "core/measured/hold_out.h"
 #include "core/search/search_journal.h"
+#include "core/study/outcome.h"
 #include "core/study/search.h"
 #include "core/study/whole_batch.h"
 #include "ui/session/job.h"
@@ -142,10 +143,12 @@ private:
 /// Runs the batch of a project; null if it was stopped before its first part.
 [[nodiscard]] BatchOutcomePtr batchOf(const Project& project, const Job::Means& means);
 
-/// All results that the window computes on demand, for its views, reports and exports.
+/// The result of the last run and all that the window computes on demand, for its views, reports
+/// and exports.
 struct Studies {
     Studies();
 
+    OutcomePtr outcome; ///< of the last run, or the refusal of its inputs; null before the first
     StudyOf<BatchOutcome> batch;
     StudyOf<BatchOutcome> judged;     ///< batch for the verdict, if the view's has other inputs
     StudyOf<BatchOutcome> prediction; ///< batch for the comparison with measurements
