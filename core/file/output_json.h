@@ -10,6 +10,12 @@
 
 namespace sparkout {
 
+/// Null without a value.
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json jsonOrNull(const std::optional<Value>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
 /// An output in JSON: null without a value, an interval as [low, high].
 [[nodiscard]] nlohmann::ordered_json outputJson(const OutputValue& value);
 
