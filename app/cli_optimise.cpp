@@ -57,7 +57,7 @@ std::string outputLines(std::span<const Output<Owner>> rows, const Owner& owner)
     std::string text;
     for (const Output<Owner>& row : rows) {
         const OutputValue value = row.of(owner);
-        if (*row.label && !row.detail && (!row.stated || row.stated(owner))
+        if (*row.label && !row.detail && row.isStated(owner)
             && !(row.sparse && value.index() == 0)) {
             text += outputLine(row, value);
         }

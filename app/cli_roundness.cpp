@@ -3,6 +3,7 @@
 
 #include "app/cli_io.h"
 #include "app/cli_report.h"
+#include "core/file/output_json.h"
 #include "core/measured/measured_table.h"
 #include "core/measured/number_table.h"
 #include "core/printable.h"
@@ -33,8 +34,7 @@ ordered_json deviationJson(const std::optional<RoundnessZone>& zone) {
 ordered_json readingsJson(const std::vector<double>& radii_mm) {
     ordered_json list = ordered_json::array();
     for (const RoundnessReading& reading : roundnessReadings(radii_mm)) {
-        list.push_back({{"filter_upr", reading.cutoff_upr ? ordered_json(*reading.cutoff_upr)
-                                                          : ordered_json(nullptr)},
+        list.push_back({{"filter_upr", jsonOrNull(reading.cutoff_upr)},
                         {"mzc_um", deviationJson(reading.minimumZone)},
                         {"lsc_um", deviationJson(reading.leastSquares)},
                         {"mic_um", deviationJson(reading.inscribed)},

@@ -5,6 +5,7 @@
 #include "app/cli_io.h"
 #include "app/cli_report.h"
 #include "app/stop_signals.h"
+#include "core/file/output_json.h"
 #include "core/measured/trial_design.h"
 #include "core/printable.h"
 #include "core/project/cycle.h"
@@ -31,9 +32,7 @@ ordered_json trialJson(const Project& project, const Trial& trial) {
                          {"steps_by_stage", trial.stepsByStage},
                          {"duration_s", trial.duration_s},
                          {"samples", trial.samples},
-                         {"log_determinant", trial.logDeterminant
-                                                 ? ordered_json(*trial.logDeterminant)
-                                                 : ordered_json(nullptr)},
+                         {"log_determinant", jsonOrNull(trial.logDeterminant)},
                          {"expected", ordered_json::array()},
                          {"cannot_tell", ordered_json::array()}};
     for (const TrialExpectation& expected : trial.expected) {

@@ -6,6 +6,7 @@
 #include "app/cli_report.h"
 #include "app/stop_signals.h"
 #include "core/file/file_system.h"
+#include "core/file/output_json.h"
 #include "core/file/project_file.h"
 #include "core/file/safe_file.h"
 #include "core/lesson/grading.h"
@@ -177,10 +178,6 @@ std::string fixedMinutes(double time_min) {
     return fixed(time_min, decimals) + " min";
 }
 
-ordered_json orNull(const std::optional<double>& value) {
-    return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
 ordered_json stepJson(const GradedStep& step) {
     ordered_json json = {{"goal", goalKey(step.result.kind)},
                          {"finding", findingKey(step.result.finding)},
@@ -190,8 +187,8 @@ ordered_json stepJson(const GradedStep& step) {
                          {"attempts", step.attempts},
                          {"late", step.isLate},
                          {"pending", step.isPending},
-                         {"value", orNull(step.result.value)},
-                         {"asked", orNull(step.result.asked)}};
+                         {"value", jsonOrNull(step.result.value)},
+                         {"asked", jsonOrNull(step.result.asked)}};
     if (!step.answer.text.empty()) {
         json["text"] = step.answer.text;
     }
@@ -219,9 +216,9 @@ std::string gradesJson(const std::vector<GradedWork>& works) {
              {"points", work.points},
              {"most", work.most},
              {"pending", work.pending},
-             {"time_min", orNull(work.time_min)},
-             {"best_min", orNull(work.best_min)},
-             {"best_over_time", orNull(work.nearness())},
+             {"time_min", jsonOrNull(work.time_min)},
+             {"best_min", jsonOrNull(work.best_min)},
+             {"best_over_time", jsonOrNull(work.nearness())},
              {"steps", std::move(steps)}});
     }
     return ordered_json{{"works", std::move(list)}}.dump(

@@ -14,6 +14,8 @@
 /// row (core/field.h).
 namespace sparkout {
 
+struct Machine;
+
 /// Both ends of an interval.
 struct Interval {
     double low = 0, high = 0;
@@ -67,6 +69,8 @@ struct OutputRow {
     const char* hint = "";          ///< what it is, how it is made, what is usual
     bool sparse = false;            ///< omitted by window and text if no owner has it
     bool detail = false;            ///< only in files; tables of the window show it differently
+    /// Whether the machine's own form, which is in it, is known; null: no machine's form is in it.
+    bool (*knowsMachine)(const Machine&) = nullptr;
 
     [[nodiscard]] const char* columnName() const { return column ? column : key; }
     [[nodiscard]] const char* unitShown() const { return *shownUnit ? shownUnit : unit; }
@@ -104,6 +108,7 @@ struct Output : OutputRow {
             },
             get);
     }
+    [[nodiscard]] bool isStated(const Owner& owner) const { return !stated || stated(owner); }
     [[nodiscard]] OutputKind kind() const { return static_cast<OutputKind>(get.index()); }
     [[nodiscard]] BandSide bandOf(const Owner& owner) const {
         return band ? band(owner) : BandSide::none;

@@ -27,10 +27,19 @@ void bindOutputs(Type& type, std::span<const Output<Owner>> rows, OwnerOf ownerO
                 row.key,
                 [&row, ownerOf](const typename Type::type& self) {
                     const Owner& owner = std::invoke(ownerOf, self);
-                    const bool isStated = !row.stated || row.stated(owner);
-                    return outputObject(isStated ? row.of(owner) : OutputValue());
+                    return outputObject(row.isStated(owner) ? row.of(owner) : OutputValue());
                 },
                 descriptionOf(row).c_str());
+        }
+    }
+}
+
+/// Adds an item to a dict for each output that JSON states.
+template <class Owner>
+void addOutputs(pybind11::dict& dict, std::span<const Output<Owner>> rows, const Owner& owner) {
+    for (const Output<Owner>& row : rows) {
+        if (*row.key && row.isStated(owner)) {
+            dict[row.key] = outputObject(row.of(owner));
         }
     }
 }

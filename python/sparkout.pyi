@@ -50,15 +50,69 @@ class Project:
     @property
     def warnings(self) -> list[Issue]: ...
 
-class Section(TypedDict):
+class SectionForm(TypedDict, total=False):
+    diameter_deviation_even_lobes_um: Optional[tuple[float, float]]
+    cylindricity_um: Optional[float]
+    total_runout_um: Optional[float]
+    taper_um: Optional[float]
+    crown_um: Optional[float]
+
+class Section(SectionForm):
     where: str
-    position_mm: float
-    compliance_mm_per_n: float
     radii_mm: Floats
     diameter_min_mm: float
     diameter_max_mm: float
     radial_runout_mm: float
+    position_mm: float
+    compliance_mm_per_n: float
+    diameter_deviation_um: Optional[tuple[float, float]]
+    radial_runout_um: Optional[float]
+    roundness_um: Optional[float]
+    roundness_least_squares_um: Optional[float]
+    roughness_ra_um: Optional[float]
+    roughness_ra_most_um: Optional[float]
     peak_normal_force_n: float
+
+class PartForm:
+    """The form of the whole part."""
+
+    @property
+    def cylindricity_um(self) -> Optional[float]:
+        """minimum zone [µm]"""
+    @property
+    def cylindricity_least_squares_um(self) -> Optional[float]:
+        """least squares [µm]"""
+    @property
+    def total_runout_um(self) -> Optional[float]:
+        """about the centre axis, over all sections [µm]"""
+    @property
+    def taper_um(self) -> Optional[float]:
+        """mean radius at the last section less that at the first [µm]"""
+    @property
+    def crown_um(self) -> Optional[float]:
+        """mean radius in the middle less that at the ends [µm]"""
+    @property
+    def form(self) -> Optional[str]:
+        """straight, taper, barrel or saddle"""
+
+class Burn:
+    """The pass nearest to burning."""
+
+    @property
+    def depth_of_cut_um(self) -> float:
+        """depth of cut of the pass nearest to burning [µm]"""
+    @property
+    def limit_depth_um(self) -> float:
+        """maximum depth of cut for that stock [µm]"""
+    @property
+    def stock_left_um(self) -> float:
+        """stock per side left after that pass [µm]"""
+    @property
+    def damaged_depth_um(self) -> float:
+        """depth of the damaged layer [µm]"""
+    @property
+    def rise_at_stock_left_k(self) -> float:
+        """temperature rise of the finished surface [K]"""
 
 class Requirement(TypedDict):
     name: str
@@ -171,6 +225,10 @@ class Evaluation:
     def peak_power_w(self) -> float: ...
     @property
     def sections(self) -> list[Section]: ...
+    @property
+    def part(self) -> PartForm: ...
+    @property
+    def burn(self) -> Optional[Burn]: ...
     @property
     def requirements(self) -> list[Requirement]: ...
     @property

@@ -92,26 +92,42 @@ struct JudgedStocksOf {
     StocksDecision decision;
 };
 
-py::dict sectionDict(const SectionResult& section, int number, double nominal_mm) {
+py::dict sectionDict(const ZoneFigures& zone, int number) {
     using namespace py::literals;
-    return py::dict("where"_a = sectionName(section.zone, number),
-                    "position_mm"_a = section.position_mm,
-                    "compliance_mm_per_n"_a = section.compliance_mm_per_n,
-                    "radii_mm"_a = arrayOf(section.radii_mm),
-                    "diameter_min_mm"_a = nominal_mm + section.diameterDeviationMin_mm,
-                    "diameter_max_mm"_a = nominal_mm + section.diameterDeviationMax_mm,
-                    "radial_runout_mm"_a = section.radialRunout_mm,
-                    "peak_normal_force_n"_a = section.peakNormalForce_n);
+    const SectionResult& section = *zone.section;
+    const double nominal_mm = zone.project->part->diameter_mm;
+    py::dict dict("where"_a = sectionName(section.zone, number),
+                  "radii_mm"_a = arrayOf(section.radii_mm),
+                  "diameter_min_mm"_a = nominal_mm + section.diameterDeviationMin_mm,
+                  "diameter_max_mm"_a = nominal_mm + section.diameterDeviationMax_mm,
+                  "radial_runout_mm"_a = section.radialRunout_mm);
+    addOutputs(dict, positionOutputs(), section);
+    addOutputs(dict, zoneOutputs(), zone);
+    if (zone.ifEven) {
+        addOutputs(dict, evenLobesOutputs(), zone);
+    }
+    if (zone.form) {
+        addOutputs(dict, zoneFormOutputs(), zone);
+    }
+    return dict;
 }
 
 py::list sectionsOf(const Evaluation& self) {
     py::list list;
     int number = 0;
-    for (const SectionResult& section : self.result().sections) {
-        list.append(sectionDict(section, number++, self.result().project.part->diameter_mm));
+    for (const ZoneFigures& zone : zonesOf(self.result(), self.outcome->accuracy)) {
+        list.append(sectionDict(zone, number++));
     }
     return list;
 }
+
+struct PartForm {
+    OutcomePtr outcome;
+
+    [[nodiscard]] PartFigures figures() const {
+        return {outcome->accuracy, FinishedSurface(outcome->result.project)};
+    }
+};
 
 py::list requirementsOf(const Evaluation& self) {
     return requirementList(self.outcome->constraints);
@@ -212,6 +228,10 @@ void bindJudgement(py::module_& module) {
 }
 
 void bindEvaluation(py::module_& module) {
+    py::class_<PartForm> part(module, "PartForm", "The form of the whole part.");
+    bindOutputs(part, partOutputs(), &PartForm::figures);
+    py::class_<BurnState> burn(module, "Burn", "The pass nearest to burning.");
+    bindOutputs(burn, burnOutputs());
     py::class_<Evaluation>(module, "Evaluation", "A cycle that was run, and what came out of it.")
         .def_property_readonly(
             "status", [](const Evaluation& self) { return statusKey(self.result().status); })
@@ -231,6 +251,11 @@ void bindEvaluation(py::module_& module) {
         .def_property_readonly("peak_power_w",
                                [](const Evaluation& self) { return self.result().peakPower_w; })
         .def_property_readonly("sections", &sectionsOf)
+        .def_property_readonly("part",
+                               [](const Evaluation& self) { return PartForm{self.outcome}; })
+        .def_property_readonly(
+            "burn", [](const Evaluation& self) { return burnStateOf(self.result()); },
+            "None where no temperature rise that burns is given")
         .def_property_readonly("requirements", &requirementsOf)
         .def_property_readonly("warnings",
                                [](const Evaluation& self) { return self.outcome->issues; })

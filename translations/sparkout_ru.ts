@@ -1783,6 +1783,14 @@
             <translation>Вероятность такого отклонения от нормального закона при нормальном распределении по критерию Шапиро — Уилка, свыше 4096 деталей — Андерсона — Дарлинга; если она меньше 0,05, распределение названо не нормальным</translation>
         </message>
         <message>
+            <source>From the headstock end</source>
+            <translation>От конца у передней бабки</translation>
+        </message>
+        <message>
+            <source>Compliance</source>
+            <translation>Податливость</translation>
+        </message>
+        <message>
             <source>Roundness, minimum zone</source>
             <translation>Отклонение от круглости, минимальная зона</translation>
         </message>
@@ -1793,6 +1801,42 @@
         <message>
             <source>Minimum zone, of the least round section of the zone.</source>
             <translation>Минимальная зона, по наименее круглому сечению зоны.</translation>
+        </message>
+        <message>
+            <source>Minimum diameter from nominal</source>
+            <translation>Отклонение наименьшего диаметра</translation>
+        </message>
+        <message>
+            <source>Maximum diameter from nominal</source>
+            <translation>Отклонение наибольшего диаметра</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>Roundness, least squares</source>
+            <translation>Отклонение от круглости, наименьшие квадраты</translation>
+        </message>
+        <message>
+            <source>Maximum normal force</source>
+            <translation>Наибольшая нормальная сила</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>Maximum roughness Ra of the estimate</source>
+            <translation>Наибольшая шероховатость Ra по оценке</translation>
+        </message>
+        <message>
+            <source>Minimum diameter with even lobes, from nominal</source>
+            <translation>Наименьший диаметр при чётном числе граней, от номинала</translation>
+        </message>
+        <message>
+            <source>Maximum diameter with even lobes, from nominal</source>
+            <translation>Наибольший диаметр при чётном числе граней, от номинала</translation>
         </message>
         <message>
             <source>Cylindricity, minimum zone</source>
@@ -9652,60 +9696,12 @@ With another name both versions stay as they are.</source>
             <translation>Худшее место</translation>
         </message>
         <message>
-            <source>From the headstock end, mm</source>
-            <translation>От конца у передней бабки, мм</translation>
-        </message>
-        <message>
-            <source>Compliance, mm/N</source>
-            <translation>Податливость, мм/Н</translation>
-        </message>
-        <message>
-            <source>Minimum diameter from nominal, µm</source>
-            <translation>Отклонение наименьшего диаметра, мкм</translation>
-        </message>
-        <message>
-            <source>Maximum diameter from nominal, µm</source>
-            <translation>Отклонение наибольшего диаметра, мкм</translation>
-        </message>
-        <message>
-            <source>Radial runout, µm</source>
-            <translation>Радиальное биение, мкм</translation>
-        </message>
-        <message>
-            <source>Roundness, minimum zone, µm</source>
-            <translation>Отклонение от круглости, минимальная зона, мкм</translation>
-        </message>
-        <message>
-            <source>Roundness, least squares, µm</source>
-            <translation>Отклонение от круглости, наименьшие квадраты, мкм</translation>
-        </message>
-        <message>
-            <source>Maximum normal force, N</source>
-            <translation>Наибольшая нормальная сила, Н</translation>
-        </message>
-        <message>
-            <source>Roughness Ra, µm</source>
-            <translation>Шероховатость Ra, мкм</translation>
-        </message>
-        <message>
-            <source>Maximum roughness Ra of the estimate, µm</source>
-            <translation>Наибольшая шероховатость Ra по оценке, мкм</translation>
-        </message>
-        <message>
             <source>Setting / nearer end of the range</source>
             <translation>Настройка / ближний предел диапазона</translation>
         </message>
         <message>
             <source>Quantity</source>
             <translation>Показатель</translation>
-        </message>
-        <message>
-            <source>Minimum diameter with even lobes, from nominal, µm</source>
-            <translation>Наименьший диаметр при чётном числе граней, от номинала, мкм</translation>
-        </message>
-        <message>
-            <source>Maximum diameter with even lobes, from nominal, µm</source>
-            <translation>Наибольший диаметр при чётном числе граней, от номинала, мкм</translation>
         </message>
     </context>
     <context>

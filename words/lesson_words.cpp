@@ -2,6 +2,7 @@
 #include "words/lesson_words.h"
 
 #include "core/digits.h"
+#include "core/file/output_json.h"
 #include "core/lesson/work.h"
 #include "core/project/validate.h"
 #include "core/text.h"
@@ -21,9 +22,6 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json stepJson(const Lesson& lesson, std::size_t step, const GoalResult& result) {
-    const auto orNull = [](const std::optional<double>& value) {
-        return value ? ordered_json(*value) : ordered_json(nullptr);
-    };
     ordered_json failing = ordered_json::array();
     for (const ConstraintKind kind : result.failing) {
         failing.push_back(requirementOf(kind).key);
@@ -32,8 +30,8 @@ ordered_json stepJson(const Lesson& lesson, std::size_t step, const GoalResult& 
             {"goal", goalKey(lesson.steps[step].goal.kind())},
             {"points", lesson.steps[step].points},
             {"finding", findingKey(result.finding)},
-            {"value", orNull(result.value)},
-            {"asked", orNull(result.asked)},
+            {"value", jsonOrNull(result.value)},
+            {"asked", jsonOrNull(result.asked)},
             {"failing", std::move(failing)}};
 }
 

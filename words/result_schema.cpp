@@ -98,7 +98,14 @@ ordered_json tableSchemas() {
         {"judged_batch", tableSchema("simulate: batch of judged", judgedBatchOutputs())},
         {"measured_bias", tableSchema("simulate: measured of judged", measuredBiasOutputs())},
         {"undecided", tableSchema("simulate and optimize: one of not_decided", undecidedOutputs())},
+        {"position", tableSchema("simulate: position of a zone or section", positionOutputs())},
+        {"zone", tableSchema("simulate: a zone, or one of sections", zoneOutputs())},
+        {"even_lobes",
+         tableSchema("simulate: a zone or section, lobes not known", evenLobesOutputs())},
         {"zone_form", tableSchema("simulate: a zone with several sections", zoneFormOutputs())},
+        {"zone_section", tableSchema("simulate: one of sections of a zone", zoneSectionOutputs())},
+        {"part_form", tableSchema("simulate: part", partOutputs())},
+        {"burn", tableSchema("simulate: burn", burnOutputs())},
         {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},
         {"search", tableSchema("optimize", searchOutputs())},
         {"remedies", tableSchema("remedies", remedyResultOutputs())},
@@ -147,16 +154,29 @@ std::string stubType(const ordered_json& schema, bool isRequired) {
     return isRequired && !type.is_array() ? known : "Optional[" + known + ']';
 }
 
+bool isRequired(const ordered_json& table, const std::string& key) {
+    const ordered_json& required = table["required"];
+    return std::find(required.begin(), required.end(), key) != required.end();
+}
+
 /// The attributes of a table.
 std::string attributeStubs(const ordered_json& table) {
     std::string text;
-    const ordered_json& required = table["required"];
     for (const auto& [key, schema] : table["properties"].items()) {
-        const bool isRequired = std::find(required.begin(), required.end(), key) != required.end();
-        text += "    @property\n    def " + key + "(self) -> " + stubType(schema, isRequired) + ':';
+        text += "    @property\n    def " + key + "(self) -> "
+                + stubType(schema, isRequired(table, key)) + ':';
         text += schema.contains("description")
                     ? "\n        \"\"\"" + schema["description"].get<std::string>() + "\"\"\"\n"
                     : " ...\n";
+    }
+    return text;
+}
+
+/// The items of a dict that has a table's outputs.
+std::string itemStubs(const ordered_json& table) {
+    std::string text;
+    for (const auto& [key, schema] : table["properties"].items()) {
+        text += "    " + key + ": " + stubType(schema, isRequired(table, key)) + '\n';
     }
     return text;
 }
@@ -180,13 +200,15 @@ std::string resultSchema() {
 }
 
 std::string resultStubs(const std::string& byHand) {
-    const std::string mark = "    # outputs: ";
+    const std::string attributes = "    # outputs: ", items = "    # items: ";
     const ordered_json tables = tableSchemas();
     std::string text;
     std::istringstream lines(byHand);
     for (std::string line; std::getline(lines, line);) {
-        text += line.starts_with(mark) ? attributeStubs(tables.at(line.substr(mark.size())))
-                                       : line + '\n';
+        text += line.starts_with(attributes)
+                    ? attributeStubs(tables.at(line.substr(attributes.size())))
+                : line.starts_with(items) ? itemStubs(tables.at(line.substr(items.size())))
+                                          : line + '\n';
     }
     return text;
 }

@@ -12,7 +12,7 @@ namespace sparkout {
 [[nodiscard]] std::string resultSchema();
 
 /// The stubs of the Python module: the manual part, in which a line "# outputs: remedy" is replaced
-/// by the attributes of that table of the schema.
+/// by the attributes of that table of the schema, "# items: zone" by the items of a dict.
 [[nodiscard]] std::string resultStubs(const std::string& byHand);
 
 /// "Stepless limit [min]. Its meaning."

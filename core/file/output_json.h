@@ -10,6 +10,12 @@
 
 namespace sparkout {
 
+/// Null without a value.
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json jsonOrNull(const std::optional<Value>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
 /// An output in JSON: null without a value, an interval as [low, high].
 [[nodiscard]] nlohmann::ordered_json outputJson(const OutputValue& value);
 
@@ -19,7 +25,7 @@ template <class Owner>
                                                  const Owner& owner) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const Output<Owner>& row : rows) {
-        if (*row.key && (!row.stated || row.stated(owner))) {
+        if (*row.key && row.isStated(owner)) {
             json[row.key] = outputJson(row.of(owner));
         }
     }

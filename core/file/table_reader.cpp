@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/table_reader.h"
 
+#include "core/file/output_json.h"
 #include "core/file/project_file.h"
 #include "core/file/strict_json.h"
 #include "core/project/project.h"
@@ -19,11 +20,6 @@ namespace sparkout {
 namespace {
 
 using nlohmann::ordered_json;
-
-template <class T>
-ordered_json orNull(const std::optional<T>& value) {
-    return value ? ordered_json(*value) : ordered_json(nullptr);
-}
 
 ordered_json complianceJson(const GivenCompliance& compliance) {
     if (const auto* zones = std::get_if<ZoneCompliance>(&compliance)) {
@@ -63,15 +59,15 @@ ordered_json listJson(const Field& field, const void* owner) {
 ordered_json fieldJson(const Field& field, const void* owner) {
     switch (field.kind) {
     case Kind::number: return field.as<double>(owner);
-    case Kind::optionalNumber: return orNull(field.as<std::optional<double>>(owner));
+    case Kind::optionalNumber: return jsonOrNull(field.as<std::optional<double>>(owner));
     case Kind::integer: return field.as<int>(owner);
-    case Kind::optionalInteger: return orNull(field.as<std::optional<int>>(owner));
+    case Kind::optionalInteger: return jsonOrNull(field.as<std::optional<int>>(owner));
     case Kind::boolean: return field.as<bool>(owner);
     case Kind::text: return field.as<std::string>(owner);
     case Kind::choice: return choiceJson(field, owner);
     case Kind::numberList: return field.as<std::vector<double>>(owner);
     case Kind::optionalNumberList:
-        return orNull(field.as<std::optional<std::vector<double>>>(owner));
+        return jsonOrNull(field.as<std::optional<std::vector<double>>>(owner));
     case Kind::object: return writeByTable(*field.nested, field.objectIn(owner));
     case Kind::optionalObject: {
         const void* object = field.objectIn(owner);
@@ -81,7 +77,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     case Kind::countOrWord: return countOrWordJson(field, owner);
     case Kind::compliance: return complianceJson(field.as<GivenCompliance>(owner));
     case Kind::levels: return levelsJson(field.as<Levels>(owner));
-    case Kind::numberRows: return orNull(field.as<NumberRows>(owner));
+    case Kind::numberRows: return jsonOrNull(field.as<NumberRows>(owner));
     case Kind::samples: return field.as<Samples>(owner).values();
     case Kind::jsonText: // through json: in the order of the keys, as it is read again
         return nlohmann::json::parse(field.as<JsonText>(owner).text);

@@ -3,6 +3,7 @@
 
 #include "core/quality/requirement.h"
 #include "core/simulation/result.h"
+#include "core/units.h"
 
 #include <optional>
 #include <utility>
@@ -99,6 +100,10 @@ public:
     template <class Value>
     [[nodiscard]] std::optional<Value> stated(Value value) const {
         return m_whole ? std::optional<Value>(std::move(value)) : std::nullopt;
+    }
+    /// A length of the surface in micrometres.
+    [[nodiscard]] std::optional<double> um(double value_mm) const {
+        return stated(value_mm * units::umPerMm);
     }
 
 private:

@@ -3,71 +3,247 @@
 
 #include "core/file/output_json.h"
 #include "core/file/strict_json.h"
+#include "core/project/machine.h"
 #include "core/project/part.h"
-#include "core/quality/cycle_constraints.h"
-#include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
-#include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
 #include "core/text.h"
 #include "core/units.h"
 
+#include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
-std::optional<double> knownUm(const ZoneFormFigures& zone, double value_mm) {
-    return zone.isKnown ? std::optional(value_mm * units::umPerMm) : std::nullopt;
+std::optional<Interval> interval_um(const FinishedSurface& surface, double low_mm, double high_mm) {
+    return surface.stated(Interval{low_mm * units::umPerMm, high_mm * units::umPerMm});
 }
 
-constexpr Output<ZoneFormFigures> zoneFormRows[] = {
-    {{.label = SPARKOUT_NOOP("Output", "Roundness, minimum zone"),
-      .brief = SPARKOUT_NOOP("Output", "Roundness"),
+constexpr Output<SectionResult> positionRows[] = {
+    {{.key = "position_mm",
+      .label = SPARKOUT_NOOP("Output", "From the headstock end"),
+      .unit = "mm"},
+     [](const SectionResult& s) { return s.position_mm; }},
+    {{.key = "compliance_mm_per_n", .label = SPARKOUT_NOOP("Output", "Compliance"), .unit = "mm/N"},
+     [](const SectionResult& s) { return s.compliance_mm_per_n; }},
+};
+
+/// An output of every zone and, without a key, one of the form of a zone with several sections.
+constexpr Output<ZoneFigures> roundnessRow(const char* key) {
+    return {
+        {.key = key,
+         .label = SPARKOUT_NOOP("Output", "Roundness, minimum zone"),
+         .brief = SPARKOUT_NOOP("Output", "Roundness"),
+         .unit = "µm",
+         .hint = SPARKOUT_NOOP("Output", "Minimum zone, of the least round section of the zone."),
+         .knowsMachine = isRoundnessKnown},
+        [](const ZoneFigures& z) { return z.surface.um(z.accuracy->minimumZone.deviation()); }};
+}
+
+/// The columns of tables are those with a label. They have the maximum Ra of an estimate by its own
+/// factor, files by the ratio of both: the last digit may differ.
+constexpr Output<ZoneFigures> zoneRows[] = {
+    {{.label = SPARKOUT_NOOP("Output", "Minimum diameter from nominal"), .unit = "µm"},
+     [](const ZoneFigures& z) { return z.surface.um(z.section->diameterDeviationMin_mm); }},
+    {{.label = SPARKOUT_NOOP("Output", "Maximum diameter from nominal"), .unit = "µm"},
+     [](const ZoneFigures& z) { return z.surface.um(z.section->diameterDeviationMax_mm); }},
+    {{.key = "diameter_deviation_um",
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Minimum zone, of the least round section of the zone.")},
-     [](const ZoneFormFigures& of) { return knownUm(of, of.worst->minimumZone.deviation()); }},
+      .hint = "minimum and maximum diameter from nominal; null where strips stay uncut"},
+     [](const ZoneFigures& z) {
+         return interval_um(z.surface, z.section->diameterDeviationMin_mm,
+                            z.section->diameterDeviationMax_mm);
+     }},
+    {{.key = "radial_runout_um",
+      .label = SPARKOUT_NOOP("Output", "Radial runout"),
+      .unit = "µm",
+      .knowsMachine = isRunoutKnown},
+     [](const ZoneFigures& z) { return z.surface.um(z.section->radialRunout_mm); }},
+    roundnessRow("roundness_um"),
+    {{.key = "roundness_least_squares_um",
+      .label = SPARKOUT_NOOP("Output", "Roundness, least squares"),
+      .unit = "µm",
+      .knowsMachine = isRoundnessKnown},
+     [](const ZoneFigures& z) { return z.surface.um(z.accuracy->leastSquares.deviation()); }},
+    {{.key = "roughness_ra_um",
+      .unit = "µm",
+      .hint = "roughness Ra, of an estimate its minimum; null where none is required"},
+     [](const ZoneFigures& z) { return z.ra_um(z.roughness.least); }},
+    {{.key = "roughness_ra_most_um",
+      .unit = "µm",
+      .hint = "maximum roughness Ra of an estimate; null where Ra is measured"},
+     [](const ZoneFigures& z) {
+         const std::optional<double> least = z.ra_um(z.roughness.least);
+         return least ? z.roughness.greatestOf(*least) : std::nullopt;
+     }},
+    {{.key = "peak_normal_force_n",
+      .label = SPARKOUT_NOOP("Output", "Maximum normal force"),
+      .unit = "N"},
+     [](const ZoneFigures& z) { return z.section->peakNormalForce_n; }},
+    {{.label = SPARKOUT_NOOP("Output", "Roughness Ra"), .unit = "µm"},
+     [](const ZoneFigures& z) { return z.ra_um(z.roughness.least); },
+     nullptr,
+     [](const ZoneFigures& z) { return z.section->lastCut.has_value(); }},
+    {{.label = SPARKOUT_NOOP("Output", "Maximum roughness Ra of the estimate"), .unit = "µm"},
+     [](const ZoneFigures& z) { return z.ra_um(z.roughness.most); },
+     nullptr,
+     [](const ZoneFigures& z) { return z.section->lastCut && !z.roughness.isMeasured(); }},
+};
+
+constexpr Output<ZoneFigures> evenLobesRows[] = {
+    {{.label = SPARKOUT_NOOP("Output", "Minimum diameter with even lobes, from nominal"),
+      .unit = "µm"},
+     [](const ZoneFigures& z) { return z.surface.um(z.ifEven->least_mm); }},
+    {{.label = SPARKOUT_NOOP("Output", "Maximum diameter with even lobes, from nominal"),
+      .unit = "µm"},
+     [](const ZoneFigures& z) { return z.surface.um(z.ifEven->most_mm); }},
+    {{.key = "diameter_deviation_even_lobes_um",
+      .unit = "µm",
+      .hint = "minimum and maximum diameter from nominal with an even number of lobes, where the "
+              "number is not known"},
+     [](const ZoneFigures& z) {
+         return interval_um(z.surface, z.ifEven->least_mm, z.ifEven->most_mm);
+     }},
+};
+
+constexpr Output<ZoneFigures> zoneFormRows[] = {
+    roundnessRow(""),
     {{.key = "cylindricity_um",
       .label = SPARKOUT_NOOP("Output", "Cylindricity, minimum zone"),
       .brief = SPARKOUT_NOOP("Output", "Cylindricity"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Minimum zone, over all sections of the zone.")},
-     [](const ZoneFormFigures& of) { return knownUm(of, of.form->cylindricity_mm); }},
+      .hint = SPARKOUT_NOOP("Output", "Minimum zone, over all sections of the zone."),
+      .knowsMachine = isRoundnessKnown},
+     [](const ZoneFigures& z) { return z.surface.um(z.form->cylindricity_mm); }},
     {{.key = "total_runout_um",
       .label = SPARKOUT_NOOP("Output", "Total runout"),
       .unit = "µm",
       .hint = SPARKOUT_NOOP("Output", "About the centre axis, over all sections, with the "
-                                      "machine's own.")},
-     [](const ZoneFormFigures& of) { return knownUm(of, of.form->totalRunout_mm); }},
+                                      "machine's own."),
+      .knowsMachine = isRunoutKnown},
+     [](const ZoneFigures& z) { return z.surface.um(z.form->totalRunout_mm); }},
     {{.key = "taper_um",
       .label = SPARKOUT_NOOP("Output", "Taper"),
       .unit = "µm",
       .hint = SPARKOUT_NOOP("Output", "Mean radius at the zone's last section less that at its "
                                       "first, of the straight line through them.")},
-     [](const ZoneFormFigures& of) { return knownUm(of, of.form->profile.taper_mm); }},
+     [](const ZoneFigures& z) { return z.surface.um(z.form->profile.taper_mm); }},
     {{.key = "crown_um",
       .label = SPARKOUT_NOOP("Output", "Crown"),
       .unit = "µm",
       .hint = SPARKOUT_NOOP("Output", "Mean radius in the zone's middle less that at its ends: "
                                       "above 0 a barrel, below it a saddle.")},
-     [](const ZoneFormFigures& of) { return knownUm(of, of.form->profile.crown_mm); }},
+     [](const ZoneFigures& z) { return z.surface.um(z.form->profile.crown_mm); }},
+};
+
+constexpr Output<ZoneSectionFigures> zoneSectionRows[] = {
+    {{.key = "diameter_deviation_um",
+      .unit = "µm",
+      .hint = "minimum and maximum diameter from nominal"},
+     [](const ZoneSectionFigures& z) {
+         return interval_um(z.surface, z.section.diameterDeviationMin_mm,
+                            z.section.diameterDeviationMax_mm);
+     }},
+    {{.key = "radial_runout_um", .unit = "µm", .hint = "with the machine's own"},
+     [](const ZoneSectionFigures& z) { return z.surface.um(z.section.radialRunout_mm); }},
+    {{.key = "mean_radius_um", .unit = "µm", .hint = "mean radius from nominal"},
+     [](const ZoneSectionFigures& z) {
+         return z.surface.um(meanOfGround(z.section.radii_mm) - z.nominalRadius_mm);
+     }},
+};
+
+constexpr Output<PartFigures> partRows[] = {
+    {{.key = "cylindricity_um", .unit = "µm", .hint = "minimum zone"},
+     [](const PartFigures& p) { return p.surface.um(p.accuracy.minimumZone.deviation()); }},
+    {{.key = "cylindricity_least_squares_um", .unit = "µm", .hint = "least squares"},
+     [](const PartFigures& p) { return p.surface.um(p.accuracy.leastSquares.deviation()); }},
+    {{.key = "total_runout_um", .unit = "µm", .hint = "about the centre axis, over all sections"},
+     [](const PartFigures& p) { return p.surface.um(p.accuracy.totalRunout_mm); }},
+    {{.key = "taper_um",
+      .unit = "µm",
+      .hint = "mean radius at the last section less that at the first"},
+     [](const PartFigures& p) { return p.surface.um(p.accuracy.profile.taper_mm); }},
+    {{.key = "crown_um", .unit = "µm", .hint = "mean radius in the middle less that at the ends"},
+     [](const PartFigures& p) { return p.surface.um(p.accuracy.profile.crown_mm); }},
+    {{.key = "form", .hint = "straight, taper, barrel or saddle"},
+     [](const PartFigures& p) {
+         return p.surface.stated(std::string(formKey(p.accuracy.profile.form)));
+     }},
+};
+
+constexpr Output<BurnState> burnRows[] = {
+    {{.key = "depth_of_cut_um",
+      .unit = "µm",
+      .hint = "depth of cut of the pass nearest to burning"},
+     [](const BurnState& b) { return b.visit.depth_mm * units::umPerMm; }},
+    {{.key = "limit_depth_um", .unit = "µm", .hint = "maximum depth of cut for that stock"},
+     [](const BurnState& b) { return b.limitDepth_mm * units::umPerMm; }},
+    {{.key = "stock_left_um", .unit = "µm", .hint = "stock per side left after that pass"},
+     [](const BurnState& b) { return b.visit.stock_mm * units::umPerMm; }},
+    {{.key = "damaged_depth_um", .unit = "µm", .hint = "depth of the damaged layer"},
+     [](const BurnState& b) { return b.damagedDepth_mm * units::umPerMm; }},
+    {{.key = "rise_at_stock_left_k",
+      .unit = "K",
+      .hint = "temperature rise of the finished surface"},
+     [](const BurnState& b) { return b.rise_k; }},
 };
 
 } // namespace
 
-std::span<const Output<ZoneFormFigures>> zoneFormOutputs() {
+std::optional<double> ZoneFigures::ra_um(double factor) const {
+    return section->lastCut
+               ? surface.um(RoughnessModel(*project, factor).roughness(*section->lastCut))
+               : std::nullopt;
+}
+
+std::vector<ZoneFigures> zonesOf(const SimulationResult& result, const PartAccuracy& accuracy) {
+    const bool isRough = std::ranges::any_of(
+        result.sections, [](const SectionResult& section) { return section.lastCut.has_value(); });
+    const RoughnessFactor factor = isRough ? roughnessFactor(result.project) : RoughnessFactor();
+    const FinishedSurface surface(result.project);
+    std::vector<ZoneFigures> zones;
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        zones.push_back({&result.project, &result.sections[i], &accuracy.sections.at(i),
+                         accuracy.zones.empty() ? nullptr : &accuracy.zones.at(i),
+                         i < result.ifEven.size() ? &result.ifEven[i] : nullptr, factor, surface});
+    }
+    return zones;
+}
+
+std::span<const Output<SectionResult>> positionOutputs() {
+    return positionRows;
+}
+
+std::span<const Output<ZoneFigures>> zoneOutputs() {
+    return zoneRows;
+}
+
+std::span<const Output<ZoneFigures>> evenLobesOutputs() {
+    return evenLobesRows;
+}
+
+std::span<const Output<ZoneFigures>> zoneFormOutputs() {
     return zoneFormRows;
+}
+
+std::span<const Output<ZoneSectionFigures>> zoneSectionOutputs() {
+    return zoneSectionRows;
+}
+
+std::span<const Output<PartFigures>> partOutputs() {
+    return partRows;
+}
+
+std::span<const Output<BurnState>> burnOutputs() {
+    return burnRows;
 }
 
 namespace {
 
 using nlohmann::ordered_json;
-
-/// A value of the finished surface: null where strips stay uncut.
-ordered_json statedJson(const FinishedSurface& surface, ordered_json value) {
-    return surface.isWhole() ? std::move(value) : ordered_json(nullptr);
-}
 
 /// Whether the machine's own form error is included in these values.
 ordered_json machineJson(const Project& project, std::initializer_list<ConstraintKind> kinds) {
@@ -78,113 +254,54 @@ ordered_json machineJson(const Project& project, std::initializer_list<Constrain
     return known;
 }
 
-ordered_json zoneJson(const SimulationResult& result, std::size_t index,
-                      const SectionAccuracy& accuracy) {
-    const SectionResult& section = result.sections[index];
-    const double nominal = result.project.part->diameter_mm / 2;
+/// The radii from nominal; null where strips stay uncut.
+ordered_json radiiJson(const ZoneFigures& zone) {
+    if (!zone.surface.isWhole()) {
+        return nullptr;
+    }
     ordered_json radii = ordered_json::array();
-    for (const double radius : section.radii_mm) {
-        radii.push_back((radius - nominal) * units::umPerMm);
+    for (const double radius_mm : zone.section->radii_mm) {
+        radii.push_back((radius_mm - zone.project->part->diameter_mm / 2) * units::umPerMm);
     }
-    ordered_json roughness, mostRoughness; // null where not required, or where Ra is measured
-    if (section.lastCut) {
-        const RoughnessFactor factor = roughnessFactor(result.project);
-        const RoughnessModel model(result.project, factor.least);
-        const double Ra_um = model.roughness(*section.lastCut) * units::umPerMm;
-        roughness = Ra_um;
-        if (!factor.isMeasured()) {
-            mostRoughness = Ra_um * factor.most / factor.least;
-        }
-    }
-    const FinishedSurface surface(result.project);
-    const auto stated = [&surface](ordered_json value) {
-        return statedJson(surface, std::move(value));
-    };
-    roughness = stated(std::move(roughness));
-    mostRoughness = stated(std::move(mostRoughness));
-    radii = stated(std::move(radii));
-    ordered_json zone = {
-        {"diameter_deviation_um",
-         stated(ordered_json::array({section.diameterDeviationMin_mm * units::umPerMm,
-                                     section.diameterDeviationMax_mm * units::umPerMm}))},
-        {"radial_runout_um", stated(section.radialRunout_mm * units::umPerMm)},
-        {"roundness_um", stated(accuracy.minimumZone.deviation() * units::umPerMm)},
-        {"roundness_least_squares_um", stated(accuracy.leastSquares.deviation() * units::umPerMm)},
-        {"roughness_ra_um", std::move(roughness)},
-        {"roughness_ra_most_um", std::move(mostRoughness)},
-        {"peak_normal_force_n", section.peakNormalForce_n},
-        {"position_mm", section.position_mm},
-        {"compliance_mm_per_n", section.compliance_mm_per_n},
-        {"radii_um", std::move(radii)},
-        {"machine_known",
-         machineJson(result.project, {ConstraintKind::radialRunout, ConstraintKind::roundness})}};
-    if (index < result.ifEven.size()) { // the number of lobes is not known
-        const auto& [least_mm, most_mm] = result.ifEven[index];
-        zone["diameter_deviation_even_lobes_um"] =
-            stated(ordered_json::array({least_mm * units::umPerMm, most_mm * units::umPerMm}));
-    }
-    return zone;
+    return radii;
 }
 
-ordered_json partJson(const PartAccuracy& accuracy, const Project& project) {
-    const FinishedSurface surface(project);
-    const auto stated = [&surface](double value_mm) {
-        return statedJson(surface, value_mm * units::umPerMm);
-    };
-    return {{"cylindricity_um", stated(accuracy.minimumZone.deviation())},
-            {"cylindricity_least_squares_um", stated(accuracy.leastSquares.deviation())},
-            {"total_runout_um", stated(accuracy.totalRunout_mm)},
-            {"taper_um", stated(accuracy.profile.taper_mm)},
-            {"crown_um", stated(accuracy.profile.crown_mm)},
-            {"form", statedJson(surface, formKey(accuracy.profile.form))},
-            {"machine_known",
-             machineJson(project, {ConstraintKind::cylindricity, ConstraintKind::totalRunout})}};
-}
-
-ordered_json burnJson(const BurnState& burn) {
-    return {{"depth_of_cut_um", burn.visit.depth_mm * units::umPerMm},
-            {"limit_depth_um", burn.limitDepth_mm * units::umPerMm},
-            {"stock_left_um", burn.visit.stock_mm * units::umPerMm},
-            {"damaged_depth_um", burn.damagedDepth_mm * units::umPerMm},
-            {"rise_at_stock_left_k", burn.rise_k}};
-}
-
-/// Adds to a zone with several sections more than their worst values; null where strips stay uncut.
-void addZoneSections(ordered_json& zone, const SimulationResult& result, std::size_t index,
-                     const PartAccuracy& accuracy) {
-    const FinishedSurface surface(result.project);
-    const auto um = [&surface](double value_mm) {
-        return statedJson(surface, value_mm * units::umPerMm);
-    };
-    zone.update(outputsJson(
-        zoneFormOutputs(), {&accuracy.sections[index], &accuracy.zones[index], surface.isWhole()}));
+/// The sections of a zone with several.
+ordered_json zoneSectionsJson(const SimulationResult& result, const ZoneFigures& zone,
+                              std::size_t index) {
     ordered_json list = ordered_json::array();
     const std::size_t inZone = result.zoneSections.size() / result.sections.size();
     for (std::size_t i = index * inZone; i < (index + 1) * inZone; ++i) {
         const SectionResult& section = result.zoneSections[i];
-        list.push_back(
-            {{"position_mm", section.position_mm},
-             {"compliance_mm_per_n", section.compliance_mm_per_n},
-             {"diameter_deviation_um", ordered_json::array({um(section.diameterDeviationMin_mm),
-                                                            um(section.diameterDeviationMax_mm)})},
-             {"radial_runout_um", um(section.radialRunout_mm)},
-             {"mean_radius_um",
-              um(meanOfGround(section.radii_mm) - result.project.part->diameter_mm / 2)}});
+        ordered_json json = outputsJson(positionOutputs(), section);
+        json.update(outputsJson(zoneSectionOutputs(),
+                                {section, zone.project->part->diameter_mm / 2, zone.surface}));
+        list.push_back(std::move(json));
     }
-    zone["sections"] = std::move(list);
+    return list;
 }
 
 /// The zones as an object, or the sections as a list.
 ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
-    const bool zones = result.project.operation->travels;
-    ordered_json all = zones ? ordered_json::object() : ordered_json::array();
-    for (std::size_t i = 0; i < result.sections.size(); ++i) {
-        const SectionResult& section = result.sections[i];
-        ordered_json one = zoneJson(result, i, accuracy.sections[i]);
-        if (!accuracy.zones.empty()) {
-            addZoneSections(one, result, i, accuracy);
+    const bool isObject = result.project.operation->travels;
+    ordered_json all = isObject ? ordered_json::object() : ordered_json::array();
+    const std::vector<ZoneFigures> zones = zonesOf(result, accuracy);
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        const ZoneFigures& zone = zones[i];
+        ordered_json one = outputsJson(zoneOutputs(), zone);
+        one.update(outputsJson(positionOutputs(), *zone.section));
+        one["radii_um"] = radiiJson(zone);
+        one["machine_known"] =
+            machineJson(result.project, {ConstraintKind::radialRunout, ConstraintKind::roundness});
+        if (zone.ifEven) {
+            one.update(outputsJson(evenLobesOutputs(), zone));
         }
-        zones ? void(all[zoneKey(section.zone)] = std::move(one)) : all.push_back(std::move(one));
+        if (zone.form) {
+            one.update(outputsJson(zoneFormOutputs(), zone));
+            one["sections"] = zoneSectionsJson(result, zone, i);
+        }
+        isObject ? void(all[zoneKey(zone.section->zone)] = std::move(one))
+                 : all.push_back(std::move(one));
     }
     return all;
 }
@@ -225,14 +342,16 @@ std::string resultJson(const SimulationResult& result,
         root["engaged_share"] = engaged; // of the turn; radii in the gaps are null
     }
     root[operation->travels ? "zones" : "sections"] = sectionsJson(result, accuracy);
-    root["part"] = partJson(accuracy, result.project);
+    root["part"] = outputsJson(partOutputs(), {accuracy, surface});
+    root["part"]["machine_known"] =
+        machineJson(result.project, {ConstraintKind::cylindricity, ConstraintKind::totalRunout});
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},
                     {"power_w", result.peakPower_w},
                     {"power_where", placeText(result.peakPowerAt)}};
     root["shop"] = shopJson(shopNumbers(result));
     if (const auto burn = burnStateOf(result)) {
-        root["burn"] = burnJson(*burn);
+        root["burn"] = outputsJson(burnOutputs(), *burn);
     }
     root["constraints"] = outputsJsonOfEach(requirementOutputs(), worstByKind(constraints));
     return printJson(root);

@@ -1,23 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/constraints.h"
+#include "core/quality/cycle_constraints.h"
+#include "core/quality/ranges.h"
+#include "core/quality/roughness.h"
 #include "core/result.h"
-#include "core/surface/accuracy.h"
 
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace sparkout {
 
-/// The form of a zone with several sections.
-struct ZoneFormFigures {
-    const SectionAccuracy* worst = nullptr; ///< its least round section
-    const ZoneForm* form = nullptr;
-    bool isKnown = true; ///< false where strips stay uncut
-};
+/// A zone or section at the end of a cycle; what it refers to outlives it.
+struct ZoneFigures {
+    const Project* project = nullptr;
+    const SectionResult* section = nullptr;
+    const SectionAccuracy* accuracy = nullptr;
+    const ZoneForm* form = nullptr;         ///< null: not a zone with several sections
+    const DeviationRange* ifEven = nullptr; ///< null: the number of lobes is known
+    RoughnessFactor roughness;
+    FinishedSurface surface;
 
-[[nodiscard]] std::span<const Output<ZoneFormFigures>> zoneFormOutputs();
+    /// Ra with this factor; empty also where no roughness is required.
+    [[nodiscard]] std::optional<double> ra_um(double factor) const;
+};
+/// The zones or sections of a result with its accuracy.
+[[nodiscard]] std::vector<ZoneFigures> zonesOf(const SimulationResult& result,
+                                               const PartAccuracy& accuracy);
+
+/// The outputs of a zone or section; those of its position stand before them in tables.
+[[nodiscard]] std::span<const Output<ZoneFigures>> zoneOutputs();
+[[nodiscard]] std::span<const Output<SectionResult>> positionOutputs();
+/// Its diameters with an even number of lobes, where the number is not known.
+[[nodiscard]] std::span<const Output<ZoneFigures>> evenLobesOutputs();
+/// The form of a zone with several sections; the first is also one of zoneOutputs().
+[[nodiscard]] std::span<const Output<ZoneFigures>> zoneFormOutputs();
+
+/// A section of a zone with several.
+struct ZoneSectionFigures {
+    const SectionResult& section;
+    double nominalRadius_mm;
+    FinishedSurface surface;
+};
+[[nodiscard]] std::span<const Output<ZoneSectionFigures>> zoneSectionOutputs();
+
+/// The form of the whole part.
+struct PartFigures {
+    const PartAccuracy& accuracy;
+    FinishedSurface surface;
+};
+[[nodiscard]] std::span<const Output<PartFigures>> partOutputs();
+
+/// The visit nearest to burning.
+[[nodiscard]] std::span<const Output<BurnState>> burnOutputs();
 
 /// A result as one JSON object: the output of `sparkout-cli simulate --json` and of the window's
 /// export; its named keys are fixed. "shop" holds the shop's numbers:

@@ -198,13 +198,11 @@ std::optional<double> askedValue(Asked asked, const SimulationResult& result, co
         const auto& sections = result.sections;
         const auto least = std::ranges::min(sections, {}, &SectionResult::diameterDeviationMin_mm);
         const auto most = std::ranges::max(sections, {}, &SectionResult::diameterDeviationMax_mm);
-        return surface.stated((most.diameterDeviationMax_mm - least.diameterDeviationMin_mm)
-                              * units::umPerMm);
+        return surface.um(most.diameterDeviationMax_mm - least.diameterDeviationMin_mm);
     }
     case Asked::runout_um:
-        return surface.stated(
-            std::ranges::max(result.sections, {}, &SectionResult::radialRunout_mm).radialRunout_mm
-            * units::umPerMm);
+        return surface.um(
+            std::ranges::max(result.sections, {}, &SectionResult::radialRunout_mm).radialRunout_mm);
     case Asked::peakForce_n: return result.peakNormalForce_n;
     case Asked::peakPower_kw: return result.peakPower_w / units::wPerKw;
     }

@@ -133,10 +133,6 @@ constexpr Output<Found> searchRows[] = {
      isRobust},
 };
 
-ordered_json orNull(const std::optional<double>& value) {
-    return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
 ordered_json cycleJson(const SearchOutcome& outcome, const FoundCycle& found) {
     Project best = outcome.project;
     best.runs.clear();
@@ -204,7 +200,7 @@ ordered_json settingEdgesJson(const SearchOutcome& outcome) {
         edges.push_back({{"setting", edge.key},
                          {"side", edge.isMost ? "greatest" : "least"},
                          {"level", edge.level},
-                         {"allowed", orNull(edge.limit)},
+                         {"allowed", jsonOrNull(edge.limit)},
                          {"is_allowed_end", edge.isLimit}});
     }
     return edges;
@@ -219,7 +215,7 @@ ordered_json remarksJson(const SearchOutcome& outcome) {
     }
     return {{"no_margin", keysJson(outcome.remarks.noMargin)},
             {"inputs", std::move(paths)},
-            {"rotation_ratio_near_integer", orNull(outcome.remarks.ratioNearInteger)}};
+            {"rotation_ratio_near_integer", jsonOrNull(outcome.remarks.ratioNearInteger)}};
 }
 
 ordered_json limitBoundsJson(const SteplessLimit& limit) {
@@ -248,7 +244,7 @@ ordered_json givenJson(const SearchOutcome& outcome) {
     const GivenCycle& given = outcome.given;
     return {{"cycle_time_min",
              given.time_s ? ordered_json(inMinutes(*given.time_s)) : ordered_json(nullptr)},
-            {"cost_per_part", given.time_s ? orNull(costPerPart(outcome.project, *given.time_s))
+            {"cost_per_part", given.time_s ? jsonOrNull(costPerPart(outcome.project, *given.time_s))
                                            : ordered_json(nullptr)},
             {"fails", given.isStopped ? ordered_json(nullptr) : keysJson(given.fails)}};
 }
@@ -277,7 +273,7 @@ ordered_json freshPartsJson(const SearchOutcome& outcome) {
             {"bad", 0},
             {"candidate", std::max(outcome.answer()->candidate, 1)},
             {"bad_share_at_most", *share},
-            {"ppk_at_least", orNull(parts.ppk)},
+            {"ppk_at_least", jsonOrNull(parts.ppk)},
             {"is_capable", parts.isCapable},
             {"cycles_not_capable", outcome.robust->incapable},
             {"confidence", 0.95}};

@@ -146,6 +146,23 @@ class Evaluations(unittest.TestCase):
             self.assertLessEqual(section["diameter_min_mm"], section["diameter_max_mm"])
             self.assertAlmostEqual(2 * radii.mean(), section["diameter_max_mm"], delta=0.02)
 
+    def test_sections_part_and_burn_are_those_of_the_command_line(self):
+        for file in sorted(EXAMPLES.glob("*.sparkout")):
+            evaluation = sparkout.evaluate(sparkout.Project.read(file))
+            stated = cli("simulate", file, "--json")
+            places = stated.get("sections") or list(stated["zones"].values())
+            self.assertEqual(len(evaluation.sections), len(places))
+            for mine, its in zip(evaluation.sections, places):
+                numbers = its.keys() - {"radii_um", "machine_known", "sections"}
+                self.assertIn("roundness_um", numbers)
+                for key in numbers:
+                    value = list(mine[key]) if isinstance(mine[key], tuple) else mine[key]
+                    self.assertEqual(value, its[key], key)
+            for key in stated["part"].keys() - {"machine_known"}:
+                self.assertEqual(getattr(evaluation.part, key), stated["part"][key])
+            for key, value in stated["burn"].items():
+                self.assertEqual(getattr(evaluation.burn, key), value)
+
     def test_the_trace_adds_up_to_the_sections(self):
         evaluation = sparkout.evaluate(sparkout.Project.read(FACTORY))
         trace = evaluation.trace()

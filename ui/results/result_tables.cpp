@@ -3,9 +3,7 @@
 
 #include "core/project/machine.h"
 #include "core/quality/light.h"
-#include "core/quality/ranges.h"
 #include "core/quality/result_json.h"
-#include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
 #include "core/units.h"
 #include "ui/results/margin_model.h"
@@ -18,8 +16,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -31,24 +29,25 @@ struct ResultTables {
     Q_DECLARE_TR_FUNCTIONS(ResultTables)
 };
 
-/// For a zone with several sections.
-ZoneFormFigures formOf(const Outcome& outcome, std::size_t zone) {
-    return {&outcome.accuracy.sections.at(zone), &outcome.accuracy.zones.at(zone),
-            FinishedSurface(outcome.result.project).isWhole()};
-}
-
 /// The roundness is listed among a zone's other outputs.
-std::span<const Output<ZoneFormFigures>> withoutRoundness() {
+std::span<const Output<ZoneFigures>> withoutRoundness() {
     return zoneFormOutputs().subspan(1);
 }
 
 QString formText(const OutputRow& row, const std::optional<double>& value_um,
                  const Machine& machine) {
-    const std::string_view key = row.key;
-    return !value_um                                ? QStringLiteral("—")
-           : key == "taper_um" || key == "crown_um" ? Names::signedMicrometres(*value_um)
-           : key == "total_runout_um" ? Names::formAmount(*value_um, isRunoutKnown(machine))
-                                      : Names::formAmount(*value_um, isRoundnessKnown(machine));
+    return !value_um          ? QStringLiteral("—")
+           : row.knowsMachine ? Names::formAmount(*value_um, row.knowsMachine(machine))
+                              : Names::signedMicrometres(*value_um);
+}
+
+/// The outputs of zones that stand in a table: some apply to no zone.
+std::vector<Output<ZoneFigures>> zoneColumns(const std::vector<ZoneFigures>& zones) {
+    std::vector<Output<ZoneFigures>> columns;
+    std::ranges::copy_if(zoneOutputs(), std::back_inserter(columns), [&zones](const auto& row) {
+        return !row.stated || std::ranges::any_of(zones, row.stated);
+    });
+    return columns;
 }
 
 } // namespace
@@ -81,11 +80,12 @@ CsvTable formTable(const Outcome& outcome) {
     CsvTable table;
     table.header << ResultTables::tr("Zone or section");
     addOutputHeads(table.header, zoneFormOutputs());
-    for (std::size_t i = 0; i < outcome.accuracy.zones.size(); ++i) {
-        const ZoneFormFigures form = formOf(outcome, i);
-        std::vector<CsvCell>& cells = table.rows.emplace_back();
-        cells.emplace_back(Names::zone(outcome.result.sections.at(i).zone, static_cast<int>(i)));
-        addOutputCells(cells, zoneFormOutputs(), &form);
+    for (const ZoneFigures& zone : zonesOf(outcome.result, outcome.accuracy)) {
+        if (zone.form) {
+            std::vector<CsvCell>& cells = table.rows.emplace_back();
+            cells.emplace_back(Names::zone(zone.section->zone));
+            addOutputCells(cells, zoneFormOutputs(), &zone);
+        }
     }
     return table;
 }
@@ -96,91 +96,53 @@ ValueTable formValues(const Outcome& outcome) {
         return table;
     }
     table.corner = ResultTables::tr("Quantity");
-    for (const Output<ZoneFormFigures>& row : zoneFormOutputs()) {
+    for (const Output<ZoneFigures>& row : zoneFormOutputs()) {
         table.rows.push_back({outputLabel(row), outputName(row), outputHint(row), row.key});
     }
     table.cells.resize(table.rows.size());
-    for (std::size_t i = 0; i < outcome.accuracy.zones.size(); ++i) {
-        const Zone zone = outcome.result.sections.at(i).zone;
-        const int index = static_cast<int>(i);
-        table.columns.push_back({Names::zone(zone, index), Names::zoneFull(zone, index), {}});
-        const ZoneFormFigures form = formOf(outcome, i);
+    for (const ZoneFigures& zone : zonesOf(outcome.result, outcome.accuracy)) {
+        table.columns.push_back(
+            {Names::zone(zone.section->zone), Names::zoneFull(zone.section->zone), {}});
         for (std::size_t r = 0; r < table.rows.size(); ++r) {
-            const Output<ZoneFormFigures>& row = zoneFormOutputs()[r];
+            const Output<ZoneFigures>& row = zoneFormOutputs()[r];
             table.cells[r].push_back(
-                {formText(row, outputNumber(row, row.of(form)), *outcome.result.project.machine),
-                 {},
-                 {}});
+                {formText(row, outputNumber(row, row.of(zone)), *zone.project->machine), {}, {}});
         }
     }
     return table;
 }
 
 CsvTable zoneTable(const Outcome& outcome) {
-    const SimulationResult& result = outcome.result;
-    const Machine& machine = *result.project.machine;
+    const Machine& machine = *outcome.result.project.machine;
+    const std::vector<ZoneFigures> zones = zonesOf(outcome.result, outcome.accuracy);
+    const std::vector<Output<ZoneFigures>> columns = zoneColumns(zones);
     CsvTable table;
-    table.header << ResultTables::tr("Zone or section")
-                 << ResultTables::tr("From the headstock end, mm")
-                 << ResultTables::tr("Compliance, mm/N")
-                 << ResultTables::tr("Minimum diameter from nominal, µm")
-                 << ResultTables::tr("Maximum diameter from nominal, µm")
-                 << Names::ofMachine(ResultTables::tr("Radial runout, µm"), isRunoutKnown(machine))
-                 << Names::ofMachine(ResultTables::tr("Roundness, minimum zone, µm"),
-                                     isRoundnessKnown(machine))
-                 << Names::ofMachine(ResultTables::tr("Roundness, least squares, µm"),
-                                     isRoundnessKnown(machine))
-                 << ResultTables::tr("Maximum normal force, N");
-    const bool rough = std::ranges::any_of(
-        result.sections, [](const SectionResult& section) { return section.lastCut.has_value(); });
-    if (rough) {
-        table.header << ResultTables::tr("Roughness Ra, µm");
+    table.header << ResultTables::tr("Zone or section");
+    addOutputHeads(table.header, positionOutputs());
+    for (const Output<ZoneFigures>& row : columns) {
+        if (*row.label) {
+            table.header << Names::ofMachine(outputName(row),
+                                             !row.knowsMachine || row.knowsMachine(machine));
+        }
     }
-    const RoughnessFactor factor = roughnessFactor(result.project);
-    if (rough && !factor.isMeasured()) {
-        table.header << ResultTables::tr("Maximum roughness Ra of the estimate, µm");
+    if (!outcome.result.ifEven.empty()) {
+        addOutputHeads(table.header, evenLobesOutputs());
     }
-    if (!result.ifEven.empty()) {
-        table.header << ResultTables::tr("Minimum diameter with even lobes, from nominal, µm")
-                     << ResultTables::tr("Maximum diameter with even lobes, from nominal, µm");
-    }
-    const std::vector<ZoneForm>& forms = outcome.accuracy.zones;
-    if (!forms.empty()) {
+    if (!outcome.accuracy.zones.empty()) {
         addOutputHeads(table.header, withoutRoundness());
     }
-    using units::umPerMm;
-    const FinishedSurface surface(result.project);
-    const auto stated = [&surface](double value_mm) {
-        return surface.isWhole() ? CsvCell(value_mm * umPerMm) : CsvCell();
-    };
-    for (std::size_t i = 0; i < result.sections.size(); ++i) {
-        const SectionResult& section = result.sections[i];
-        const SectionAccuracy& form = outcome.accuracy.sections.at(i);
-        std::vector<CsvCell> cells{Names::zone(section.zone, static_cast<int>(i)),
-                                   section.position_mm,
-                                   section.compliance_mm_per_n,
-                                   stated(section.diameterDeviationMin_mm),
-                                   stated(section.diameterDeviationMax_mm),
-                                   stated(section.radialRunout_mm),
-                                   stated(form.minimumZone.deviation()),
-                                   stated(form.leastSquares.deviation()),
-                                   section.peakNormalForce_n};
-        if (rough) {
-            for (const double f : std::set{factor.least, factor.most}) {
-                cells.push_back(section.lastCut ? stated(
-                                    RoughnessModel(result.project, f).roughness(*section.lastCut))
-                                                : CsvCell());
-            }
+    for (const ZoneFigures& zone : zones) {
+        std::vector<CsvCell>& cells = table.rows.emplace_back();
+        cells.emplace_back(
+            Names::zone(zone.section->zone, static_cast<int>(table.rows.size()) - 1));
+        addOutputCells(cells, positionOutputs(), zone.section);
+        addOutputCells(cells, std::span<const Output<ZoneFigures>>(columns), &zone);
+        if (zone.ifEven) {
+            addOutputCells(cells, evenLobesOutputs(), &zone);
         }
-        if (i < result.ifEven.size()) {
-            cells.push_back(stated(result.ifEven[i].least_mm));
-            cells.push_back(stated(result.ifEven[i].most_mm));
+        if (zone.form) {
+            addOutputCells(cells, withoutRoundness(), &zone);
         }
-        if (!forms.empty()) {
-            const ZoneFormFigures figures = formOf(outcome, i);
-            addOutputCells(cells, withoutRoundness(), &figures);
-        }
-        table.rows.push_back(std::move(cells));
     }
     return table;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/studies.h"
 
+#include "core/file/project_file.h"
 #include "core/study/batch_edits.h"
 #include "core/study/search_edits.h"
 #include "core/study/sweep_edits.h"
@@ -94,7 +95,12 @@ BatchOutcomePtr batchOf(const Project& project, const Job::Means& means) {
     return outcome->ran() && outcome->summary.parts == 0 ? nullptr : outcome;
 }
 
-Studies::Studies() : batch(sameBatch), judged(sameBatch), prediction(sameBatch), sweep(sameSweep) {}
+Studies::Studies()
+    : batch(sameBatch)
+    , judged(sameBatch)
+    , prediction(sameBatch)
+    , heldOut(sameProject)
+    , sweep(sameSweep) {}
 
 void Studies::runBatch(const Project& project) {
     batch.start(project, partsOf(project),
@@ -114,6 +120,16 @@ void Studies::runPrediction(const Project& project) {
 BatchOutcomePtr Studies::currentPrediction() const {
     const BatchOutcomePtr& of = prediction.result();
     return prediction.stale() || of->result.status != BatchStatus::completed ? nullptr : of;
+}
+
+void Studies::runHoldOut(const Project& project) {
+    heldOut.start(project, 0, [project](const Job::Means& means) {
+        return std::make_shared<const HeldOut>(HeldOut{project, holdOut(project, means.stop)});
+    });
+}
+
+std::vector<HoldOutRow> Studies::currentHeldOut() const {
+    return heldOut.stale() ? std::vector<HoldOutRow>() : heldOut.result()->rows;
 }
 
 void Studies::runIndices(int points) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/batch/sweep_run.h"
+#include "core/measured/hold_out.h"
 #include "core/search/search_journal.h"
+#include "core/study/outcome.h"
 #include "core/study/search.h"
 #include "core/study/whole_batch.h"
 #include "ui/session/job.h"
@@ -11,8 +13,17 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
+
+/// The traces of a project that no calibration has used, compared with their prediction.
+struct HeldOut {
+    Project project;
+    std::vector<HoldOutRow> rows;
+
+    [[nodiscard]] static bool ran() { return true; } ///< a project of a run is never refused
+};
 
 using SweepResultPtr = std::shared_ptr<const SweepResult>;
 using SobolIndicesPtr = std::shared_ptr<const SobolIndices>;
@@ -24,6 +35,9 @@ using SobolIndicesPtr = std::shared_ptr<const SobolIndices>;
     return outcome.project;
 }
 [[nodiscard]] inline const Project& studied(const SearchOutcome& outcome) {
+    return outcome.project;
+}
+[[nodiscard]] inline const Project& studied(const HeldOut& outcome) {
     return outcome.project;
 }
 
@@ -129,18 +143,23 @@ private:
 /// Runs the batch of a project; null if it was stopped before its first part.
 [[nodiscard]] BatchOutcomePtr batchOf(const Project& project, const Job::Means& means);
 
-/// All results that the window computes on demand, for its views, reports and exports.
+/// The result of the last run and all that the window computes on demand, for its views, reports
+/// and exports.
 struct Studies {
     Studies();
 
+    OutcomePtr outcome; ///< of the last run, or the refusal of its inputs; null before the first
     StudyOf<BatchOutcome> batch;
     StudyOf<BatchOutcome> judged;     ///< batch for the verdict, if the view's has other inputs
     StudyOf<BatchOutcome> prediction; ///< batch for the comparison with measurements
+    StudyOf<HeldOut> heldOut;
     StudyOf<SweepResult> sweep;
     SearchStudy search;
 
     /// Returns the complete prediction for the current inputs; null if there is none.
     [[nodiscard]] BatchOutcomePtr currentPrediction() const;
+    /// Returns the rows of the unused traces for the current inputs; empty until they are known.
+    [[nodiscard]] std::vector<HoldOutRow> currentHeldOut() const;
     /// Returns the indices of the displayed batch; null if none were requested, or if there are
     /// none.
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
@@ -151,7 +170,8 @@ struct Studies {
     void runBatch(const Project& project);
     void runJudged(const Project& project);
     void runPrediction(const Project& project);
-    void runIndices(int points); ///< for the batch that is shown
+    void runHoldOut(const Project& project); ///< one or two cycles for each calibrated input
+    void runIndices(int points);             ///< for the batch that is shown
     void runSweep(const Project& project);
     void dropIndices();
 

@@ -163,7 +163,7 @@ void MainWindow::buildViews() {
     connectOverview();
     m_measured = new MeasuredView(m_document, this, &m_settings, &m_studies);
     connectMeasured();
-    m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
+    m_keeper = new RunKeeper(*m_kept, m_runs, m_studies, m_files->notices(), this);
     connect(m_compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
     connect(m_keeper, &RunKeeper::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
@@ -340,8 +340,9 @@ void MainWindow::showWholePart() {
 }
 
 const Project& MainWindow::asRun() const {
-    return m_document.surfaceCount() > 1 && m_outcome && m_outcome->ran() && !m_runs.running()
-               ? m_outcome->result.project
+    return m_document.surfaceCount() > 1 && m_studies.outcome && m_studies.outcome->ran()
+                   && !m_runs.running()
+               ? m_studies.outcome->result.project
                : m_document.project();
 }
 
@@ -381,7 +382,7 @@ void MainWindow::connectPart() {
 
 void MainWindow::connectReports() {
     const auto outcomeOfNow = [this] {
-        OutcomePtr outcome = m_outcome;
+        OutcomePtr outcome = m_studies.outcome;
         if (m_runs.running()) { // it belongs to the previous inputs
             runAside([&, upTo = m_document.upToPresent(), faults = m_document.newFaults()] {
                 outcome = m_runs.outcomeOf(upTo, faults);
@@ -467,8 +468,8 @@ void MainWindow::showStockReading() {
     m_actions->stockOnDiameter->setChecked(onDiameter);
     m_inputs->retranslate();
     m_messages->retranslate();
-    if (m_outcome) {
-        m_inputs->setOutcome(m_outcome);
+    if (m_studies.outcome) {
+        m_inputs->setOutcome(m_studies.outcome);
     }
 }
 
@@ -617,7 +618,7 @@ void MainWindow::connectLesson() {
         }
     });
     connect(this, &MainWindow::outcomeShown, m_lesson,
-            [this] { m_lesson->takeOutcome(m_outcome->ran()); });
+            [this] { m_lesson->takeOutcome(m_studies.outcome->ran()); });
     m_lessonWiring->connectTo({*m_lesson, *m_actions, *m_tabs, *m_layout, *m_inputs, *m_messages,
                                *m_remedies, *m_files, m_document, m_settings, this});
 }
@@ -645,7 +646,7 @@ void MainWindow::showMoment(const ShownMoment& moment) {
     if (!moment.view.empty()) {
         showView(QString::fromStdString(moment.view));
     }
-    if (m_outcome->trajectory.passes.empty()) {
+    if (m_studies.outcome->trajectory.passes.empty()) {
         return;
     }
     if (moment.place.section) {
@@ -693,7 +694,7 @@ void MainWindow::showRequirement(const ConstraintResult& requirement) {
 }
 
 void MainWindow::showOutcome(const OutcomePtr& outcome) {
-    m_outcome = outcome;
+    m_studies.outcome = outcome;
     m_judge->setOutcome(outcome);
     m_inputs->setOutcome(outcome);
     if (!m_lesson->isCovered()) {
@@ -707,7 +708,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_verdict->setOutcome(outcome);
     showJudged();
     m_remedies->setOutcome(outcome);
-    m_keeper->setOutcome(outcome);
+    m_keeper->keepAwaited();
     showPlayback();
     showStatus();
     emit outcomeShown();
@@ -729,8 +730,8 @@ void MainWindow::protect(const QString& stateFolder) {
 }
 
 void MainWindow::showStatus() {
-    m_status->showOutcome(m_lesson->isCovered() ? nullptr : m_outcome.get(), m_runs.lastRun_ms(),
-                          m_cursor.outcome() != nullptr);
+    m_status->showOutcome(m_lesson->isCovered() ? nullptr : m_studies.outcome.get(),
+                          m_runs.lastRun_ms(), m_cursor.outcome() != nullptr);
 }
 
 void MainWindow::showTitle() {
@@ -779,8 +780,8 @@ void MainWindow::retranslate() {
     if (m_partWindow) {
         m_partWindow->retranslate();
     }
-    if (m_outcome) {
-        m_inputs->setOutcome(m_outcome);
+    if (m_studies.outcome) {
+        m_inputs->setOutcome(m_studies.outcome);
     }
     nameShortcuts(*m_actions);
     showStatus();

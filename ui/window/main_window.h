@@ -71,7 +71,7 @@ public:
     [[nodiscard]] const std::vector<View*>& views() const; ///< in the order of their tabs
     [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
     bool showView(const QString& name); ///< by object name or number from 1; false if there is none
-    [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
+    [[nodiscard]] const Studies& studies() const { return m_studies; }
     [[nodiscard]] HelpDesk& help() { return *m_help; }
     [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
     [[nodiscard]] LessonDesk& lesson() { return *m_lesson; }
@@ -125,7 +125,6 @@ private:
     Language& m_language;
     Document m_document;
     Studies m_studies;
-    OutcomePtr m_outcome;
     bool m_isOutcomeOfBefore = false; ///< the outcome of another document or surface
     CycleCursor m_cursor;
     KeptRuns* m_kept;

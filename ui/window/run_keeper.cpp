@@ -21,10 +21,12 @@ constexpr int patience_ms = 300;
 
 } // namespace
 
-RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notices, QObject* parent)
+RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, const Studies& studies,
+                     NoticeBar& notices, QObject* parent)
     : QObject(parent)
     , m_kept(kept)
     , m_runs(runs)
+    , m_studies(studies)
     , m_notices(notices)
     , m_aside(nullptr, runs.runner()) {
     m_patience.setSingleShot(true);
@@ -54,15 +56,13 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
 
 void RunKeeper::keep() {
     m_waiting = m_runs.running();
-    if (!m_waiting && m_outcome) {
+    if (!m_waiting && m_studies.outcome) {
         keepNow();
     }
 }
 
-void RunKeeper::setOutcome(OutcomePtr outcome) {
-    m_outcome = std::move(outcome);
-    if (m_waiting) {
-        m_waiting = false;
+void RunKeeper::keepAwaited() {
+    if (std::exchange(m_waiting, false)) {
         keepNow();
     }
 }
@@ -96,7 +96,7 @@ void RunKeeper::endAside() {
 }
 
 void RunKeeper::keepNow() {
-    keepOutcome(*m_outcome);
+    keepOutcome(*m_studies.outcome);
 }
 
 void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {

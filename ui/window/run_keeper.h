@@ -16,10 +16,11 @@ class RunKeeper : public QObject {
     Q_OBJECT
 
 public:
-    RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notices, QObject* parent);
+    RunKeeper(KeptRuns& kept, const RunController& runs, const Studies& studies, NoticeBar& notices,
+              QObject* parent);
 
-    void keep(); ///< keeps the run of the current inputs, now or when it is computed
-    void setOutcome(OutcomePtr outcome);
+    void keep();        ///< keeps the run of the current inputs, now or when it is computed
+    void keepAwaited(); ///< after the studies have received an outcome
     /// Runs other inputs in the background, keeps the run under a name and requests the comparison.
     /// A notice shows a long run, and stops it.
     void keepAside(Project project, const QString& name);
@@ -38,8 +39,8 @@ private:
 
     KeptRuns& m_kept;
     const RunController& m_runs;
+    const Studies& m_studies;
     NoticeBar& m_notices;
-    OutcomePtr m_outcome;
     bool m_waiting = false;  ///< whether the run to be kept is awaited
     bool m_reported = false; ///< whether differences in kept runs of this project were reported
     QString m_asideName;     ///< name of the background run; may be empty

@@ -80,6 +80,23 @@ private slots:
         }
     }
 
+    void sectionsOfAZoneStateNothingOfTheSurface() {
+        for (const bool strips : {true, false}) {
+            Project project = strips ? stripped() : whole();
+            project.zone_sections = 2;
+            const json zone =
+                json::parse(resultJson(simulateUnchecked(project), {}))["zones"]["nz"];
+            QCOMPARE(zone.at("sections").size(), std::size_t{2});
+            for (const json& section : zone.at("sections")) {
+                for (const char* key :
+                     {"diameter_deviation_um", "radial_runout_um", "mean_radius_um"}) {
+                    QCOMPARE(section.at(key).is_null(), strips);
+                }
+                QVERIFY(section.at("position_mm").is_number());
+            }
+        }
+    }
+
     void aSweepsPointStatesNothingOfTheSurface() {
         for (const SweepQuantity& quantity :
              measurePoint(simulateUnchecked(stripped())).quantities) {

@@ -6,6 +6,7 @@
 #include "core/lesson/work.h"
 #include "core/phases/phase_decision.h"
 #include "core/project/batch.h"
+#include "core/project/machine.h"
 #include "core/quality/constraints.h"
 #include "core/quality/result_json.h"
 #include "core/simulation/simulate.h"
@@ -185,6 +186,13 @@ private slots:
             for (const json& undecided : judged.at("not_decided")) {
                 QCOMPARE(faultOf("undecided", undecided), std::string());
             }
+            const bool travels = project.operation->travels;
+            for (const json& zone : simulated.at(travels ? "zones" : "sections")) {
+                QCOMPARE(faultOf("zone", zone), std::string());
+                QCOMPARE(faultOf("position", zone), std::string());
+            }
+            QCOMPARE(faultOf("part_form", simulated.at("part")), std::string());
+            QCOMPARE(faultOf("burn", simulated.at("burn")), std::string());
             for (const json& requirement : simulated.at("constraints")) {
                 QCOMPARE(faultOf("requirement", requirement), std::string());
             }
@@ -196,6 +204,21 @@ private slots:
             QCOMPARE(faultOf("search", wrong), std::string("/grid_size: type"));
             wrong.erase("grid_size");
             QVERIFY(!faultOf("search", wrong).empty());
+        }
+        Project divided = example("shaft-30h6-factory");
+        divided.zone_sections = 3;
+        divided.machine->geometric_runout_um = 0;
+        divided.machine->form = MachineForm{std::vector<double>(3, 1.0), {}, {}, {}}; // no lobes
+        const json zones = json::parse(resultJson(simulate(divided), {})).at("zones");
+        QCOMPARE(zones.size(), std::size_t{3});
+        for (const json& zone : zones) {
+            QCOMPARE(faultOf("even_lobes", zone), std::string());
+            QCOMPARE(faultOf("zone_form", zone), std::string());
+            QCOMPARE(zone.at("sections").size(), std::size_t{3});
+            for (const json& section : zone.at("sections")) {
+                QCOMPARE(faultOf("position", section), std::string());
+                QCOMPARE(faultOf("zone_section", section), std::string());
+            }
         }
         const SimulationResult dull = simulate(example("wheel-dull"));
         const json remedies =

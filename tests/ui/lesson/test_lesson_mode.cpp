@@ -76,7 +76,7 @@ private slots:
         student.show(1);
         QVERIFY(student.desk().isCovered());
         QVERIFY(!student.window.runs().running());
-        QVERIFY(!student.window.outcome()->ran()); // nobody in the window has a result
+        QVERIFY(!student.window.studies().outcome->ran()); // nobody in the window has a result
         QVERIFY(!student.window.cursor().outcome());
         QVERIFY(student.window.findChild<QLabel*>(QStringLiteral("lessonCover"))->isVisible());
         for (const View* view : student.window.views()) {
@@ -108,7 +108,7 @@ private slots:
         student.answer();
         student.handIn();
         QVERIFY(!student.desk().isCovered());
-        QVERIFY(QTest::qWaitFor([&] { return student.window.outcome()->ran(); }, 30'000));
+        QVERIFY(QTest::qWaitFor([&] { return student.window.studies().outcome->ran(); }, 30'000));
         QCOMPARE(student.run().mark(1), LessonRun::Mark::passed);
         QVERIFY(student.part<QLabel>("resultNumber")->isVisible());
         QVERIFY(!student.part<QWidget>("predictedNumber")->isEnabled());

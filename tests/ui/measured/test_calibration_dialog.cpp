@@ -348,13 +348,13 @@ private slots:
             }
             return report::Table();
         };
-        const OutcomePtr before = bench.window->outcome();
+        const OutcomePtr before = bench.window->studies().outcome;
         QVERIFY(tableIn(report::CycleCard::write(before, {}, QDate(2026, 11, 26))).rows.empty());
         QVERIFY(report::OutcomeRemarks::estimates(*before).join(u'\n').contains(
             QStringLiteral("dullness")));
         calibrate(bench);
-        QTRY_VERIFY(bench.window->outcome() != before && !bench.window->runs().running());
-        const OutcomePtr after = bench.window->outcome();
+        QTRY_VERIFY(bench.window->studies().outcome != before && !bench.window->runs().running());
+        const OutcomePtr after = bench.window->studies().outcome;
         const report::Table card =
             tableIn(report::CycleCard::write(after, {}, QDate(2026, 11, 26)));
         QCOMPARE(card.rows.size(), std::size_t{3}); // two sections' compliance, dullness

@@ -281,7 +281,7 @@ private slots:
             return outcome;
         });
         bench.window->document().startUntitled(smallProject(Operation::traverse));
-        QTRY_VERIFY(bench.window->outcome());
+        QTRY_VERIFY(bench.window->studies().outcome);
         const QString path = m_folder.filePath(QStringLiteral("stopped.csv"));
         DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path,
                                QStringLiteral("stopWork")});
@@ -348,7 +348,7 @@ private slots:
         Project project = smallProject(Operation::traverse);
         project.part->diameter_mm = -2;
         bench.window->document().startUntitled(project);
-        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome && !bench.window->studies().outcome->ran());
         const DialogAnswers answers({QStringLiteral("Escape")});
         bench.action("exportResults")->trigger();
         QCOMPARE(answers.fault(), QString());

@@ -109,7 +109,7 @@ private slots:
         auto* margins = bench.window->findChild<CopyTable*>(QStringLiteral("requirements"));
         (void)saveTableByMenu(*margins, 0, "table.xlsx");
         const XlsxReader read(m_folder.filePath(QStringLiteral("table.xlsx")));
-        const auto& constraints = bench.window->outcome()->constraints;
+        const auto& constraints = bench.window->studies().outcome->constraints;
         const int head = read.rows(0) - static_cast<int>(constraints.size());
         for (std::size_t i = 0; i < constraints.size(); ++i) {
             QVERIFY(sameBits(read.number(0, head + int(i), 2), constraints[i].value));

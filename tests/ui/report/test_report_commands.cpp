@@ -288,7 +288,7 @@ private slots:
         Project project = bench.window->document().project();
         project.batch->factors.dullness->grows = {0.5, 2};
         bench.window->document().edit(project, {"Input", "Dullness"});
-        QTRY_VERIFY(bench.window->outcome() && bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome && bench.window->studies().outcome->ran());
         const DialogAnswers answers({QStringLiteral("Escape")});
         bench.action("pdf-passport")->trigger();
         QCOMPARE(answers.fault(), QString());
@@ -325,7 +325,7 @@ private slots:
         Project project = newProject(Operation::traverse);
         project.part->diameter_mm = -2;
         bench.window->document().startUntitled(project);
-        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome && !bench.window->studies().outcome->ran());
         for (const char* name :
              {"preview-card", "print-card", "pdf-card", "pdf-passport", "pdf-handout"}) {
             const DialogAnswers answers({QStringLiteral("Escape")});

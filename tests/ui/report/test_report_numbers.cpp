@@ -3,6 +3,8 @@
 // The numbers of the reports, straight from their tables and figures: those of the outcome, each at
 // its own place.
 #include "core/project/machine.h"
+#include "core/quality/result_json.h"
+#include "core/quality/result_names.h"
 #include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
@@ -16,8 +18,12 @@
 #include "ui/views/part/profiles_text.h"
 #include "ui/views/study/batch_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include <iterator>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sparkout::test_report_numbers {
 
@@ -135,6 +141,42 @@ private slots:
             QVERIFY2(words.contains(QStringLiteral("cylindricity %1 µm, total runout %2 µm")
                                         .arg(card.rows[i][1], card.rows[i][2])),
                      qPrintable(words));
+        }
+    }
+
+    /// The table of zones has the numbers of the file, where the number of lobes is not known, too.
+    void zonesHaveTheNumbersOfTheFile() {
+        Project project = fixtures::traverseProject();
+        project.part->tolerance.roughness_ra_um = 2;
+        project.machine->geometric_runout_um = 0;
+        project.machine->form = MachineForm{std::vector<double>(3, 1.0), {}, {}, {}};
+        const OutcomePtr outcome = fixtures::run(project);
+        const CsvTable table = zoneTable(*outcome);
+        const auto zones = nlohmann::json::parse(resultJson(outcome->result, {})).at("zones");
+        const std::vector<std::pair<QString, const char*>> columns{
+            {QStringLiteral("From the headstock end, mm"), "/position_mm"},
+            {QStringLiteral("Compliance, mm/N"), "/compliance_mm_per_n"},
+            {QStringLiteral("Minimum diameter from nominal, µm"), "/diameter_deviation_um/0"},
+            {QStringLiteral("Maximum diameter from nominal, µm"), "/diameter_deviation_um/1"},
+            {QStringLiteral("Radial runout, µm, machine not known"), "/radial_runout_um"},
+            {QStringLiteral("Roundness, minimum zone, µm"), "/roundness_um"},
+            {QStringLiteral("Roundness, least squares, µm"), "/roundness_least_squares_um"},
+            {QStringLiteral("Maximum normal force, N"), "/peak_normal_force_n"},
+            {QStringLiteral("Roughness Ra, µm"), "/roughness_ra_um"},
+            {QStringLiteral("Maximum roughness Ra of the estimate, µm"), "/roughness_ra_most_um"},
+            {QStringLiteral("Minimum diameter with even lobes, from nominal, µm"),
+             "/diameter_deviation_even_lobes_um/0"},
+            {QStringLiteral("Maximum diameter with even lobes, from nominal, µm"),
+             "/diameter_deviation_even_lobes_um/1"}};
+        QCOMPARE(table.header.size(), qsizetype(columns.size()) + 1);
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            const auto& zone = zones.at(zoneKey(outcome->result.sections.at(i).zone));
+            for (std::size_t c = 0; c < columns.size(); ++c) {
+                const auto& [head, key] = columns[c];
+                QCOMPARE(table.header.at(qsizetype(c) + 1), head);
+                QCOMPARE(std::get<double>(table.rows[i].at(c + 1)),
+                         zone.at(nlohmann::json::json_pointer(key)).get<double>());
+            }
         }
     }
 

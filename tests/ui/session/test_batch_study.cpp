@@ -4,6 +4,7 @@
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
+#include "tests/ui/support/traced_project.h"
 #include "ui/session/studies.h"
 
 #include <QElapsedTimer>
@@ -168,6 +169,34 @@ private slots:
         QVERIFY(!heard.study().refusal() && !heard.study().stale());
         heard.study().forget();
         QVERIFY(heard.study().stale() && !heard.study().result());
+    }
+
+    /// What an unused trace says belongs to its inputs alone.
+    void unusedTracesFollowTheInputs() {
+        const Project project = traced::heldOut();
+        const std::vector<HoldOutRow> rows = holdOut(project);
+        QVERIFY(!rows.empty());
+        Studies studies;
+        studies.heldOut.follow(&project);
+        QVERIFY(studies.heldOut.stale() && studies.currentHeldOut().empty());
+        studies.runHoldOut(project);
+        QVERIFY(studies.heldOut.running());
+        QTRY_VERIFY_WITH_TIMEOUT(!studies.heldOut.running(), patience_ms);
+        QCOMPARE(studies.currentHeldOut().size(), rows.size());
+        QCOMPARE(studies.currentHeldOut().front().measured, rows.front().measured);
+        QCOMPARE(studies.currentHeldOut().front().predicted, rows.front().predicted);
+        Project other = project;
+        other.measured->traces.pop_back();
+        studies.heldOut.follow(&other);
+        QVERIFY(studies.currentHeldOut().empty());
+        studies.runHoldOut(project);
+        studies.heldOut.follow(&other);
+        QVERIFY(!studies.heldOut.running()); // it was of other inputs
+        studies.runHoldOut(other);
+        QTRY_VERIFY_WITH_TIMEOUT(!studies.heldOut.stale(), patience_ms);
+        QVERIFY(studies.currentHeldOut().empty()); // nothing is left unused
+        studies.heldOut.forget();
+        QVERIFY(studies.heldOut.stale());
     }
 
     void closingEndsItAndWaits() {

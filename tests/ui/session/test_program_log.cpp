@@ -108,7 +108,7 @@ private slots:
         Bench bench(QStringLiteral("en"));
         const QString path = examplePaths().front();
         bench.window->files().openInstead(path);
-        QTRY_VERIFY(bench.window->outcome() != nullptr);
+        QTRY_VERIFY(bench.window->studies().outcome != nullptr);
         const QString opened = QStringLiteral("Opened: ") + path; // Qt may have warned since
         const auto lines = log.lines();
         QVERIFY(std::any_of(lines.begin(), lines.end(),

@@ -157,7 +157,7 @@ private slots:
         Project project = bench.window->document().project();
         project.material->flow_stress_mpa *= 1.05;
         bench.window->document().edit(std::move(project), {"Input", "Flow stress"});
-        QTRY_COMPARE(bench.window->outcome()->result.project.material->flow_stress_mpa,
+        QTRY_COMPARE(bench.window->studies().outcome->result.project.material->flow_stress_mpa,
                      bench.window->document().project().material->flow_stress_mpa);
         bench.settle();
         const FeedsPlot& feeds = *bench.view<FeedsView>().plot();

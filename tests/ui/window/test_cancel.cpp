@@ -130,8 +130,8 @@ private slots:
                 const bool replaced = QTest::qWaitFor([&] { return shown.count() > 0; }, 20'000);
                 return running && replaced ? sinceStart_ms(clock) : never_ms;
             }));
-            QVERIFY(bench.window->outcome()->result.project.operation == Operation::plunge);
-            QVERIFY(bench.window->outcome()->result.visits < 1'000'000);
+            QVERIFY(bench.window->studies().outcome->result.project.operation == Operation::plunge);
+            QVERIFY(bench.window->studies().outcome->result.visits < 1'000'000);
         }
         report("replaced by a newer run, until its result is shown", times_ms);
         QVERIFY(times_ms.back() <= limit_ms);

@@ -260,7 +260,8 @@ private slots:
         OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         bench.window->document().startUntitled(
             projectOfPages(bench.window->document().project(), wanted));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.window->outcome() && bench.window->outcome()->ran(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.window->studies().outcome && bench.window->studies().outcome->ran(), 60'000);
         QTest::qWait(300);
         const QByteArray what = "a report of " + QByteArray::number(wanted) + " pages";
         const double worst_ms = watched_ms(what.constData(), [&] {
@@ -336,12 +337,12 @@ private slots:
             bench.window->document().startUntitled(longProject(sections));
             QTRY_VERIFY_WITH_TIMEOUT(shown.count() > 0, 60'000);
             QTest::qWait(200);
-            QVERIFY(bench.window->outcome()->ran());
+            QVERIFY(bench.window->studies().outcome->ran());
         });
         qInfo("HEARTBEAT %lld visits in %.0f ms",
-              static_cast<long long>(bench.window->outcome()->result.visits),
+              static_cast<long long>(bench.window->studies().outcome->result.visits),
               bench.window->runs().lastRun_ms());
-        QVERIFY(bench.window->outcome()->result.visits > 1'000'000);
+        QVERIFY(bench.window->studies().outcome->result.visits > 1'000'000);
         QVERIFY(worst_ms <= limit_ms);
     }
 };

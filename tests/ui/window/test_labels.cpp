@@ -182,7 +182,7 @@ private slots:
             project.part->radii_per_section = 35;
             project.cycle->stages.front().radial_feed_mm.reset();
             bench.window->document().startUntitled(project);
-            QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+            QTRY_VERIFY(bench.window->studies().outcome && !bench.window->studies().outcome->ran());
             Offenders offenders;
             everyPlace(bench, [&](const QString& place) {
                 offenders.add(place, textsWithoutRoom(*bench.window));
@@ -208,7 +208,7 @@ private slots:
             project.part->stock_mm = 0.2;
             project.part->diameter_mm = 2;
             bench.window->document().startUntitled(project);
-            QTRY_VERIFY(bench.window->outcome() != nullptr);
+            QTRY_VERIFY(bench.window->studies().outcome != nullptr);
         } else {
             QVERIFY(bench.open(path));
         }

@@ -43,7 +43,7 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("вал.sparkout"));
         QVERIFY(QFile::copy(examplePath("shaft-30h6-factory"), path));
         OpenBench bench(QStringLiteral("ru"), path);
-        const OutcomePtr before = bench.window->outcome();
+        const OutcomePtr before = bench.window->studies().outcome;
         auto& table = *bench.window->findChild<StageTable*>();
         table.view().setFocus();
         table.view().setCurrentIndex(table.view().model()->index(1, 0));
@@ -53,9 +53,9 @@ private slots:
         QTest::keyClicks(editor, QStringLiteral(",003"));
         QTest::keyClick(editor, Qt::Key_Return);
         QCOMPARE(bench.window->document().project().cycle->stages[1].radial_feed_mm.value(), 0.003);
-        QTRY_VERIFY(bench.window->outcome()->result.project.cycle->stages[1].radial_feed_mm
+        QTRY_VERIFY(bench.window->studies().outcome->result.project.cycle->stages[1].radial_feed_mm
                     == 0.003);
-        const OutcomePtr after = bench.window->outcome();
+        const OutcomePtr after = bench.window->studies().outcome;
         QVERIFY(after->result.time_s < before->result.time_s);
         QVERIFY(bench.window->isWindowModified());
         QVERIFY(bench.window->files().save());
@@ -64,7 +64,7 @@ private slots:
         OpenBench again(QStringLiteral("en"), path);
         QVERIFY(
             sameProject(again.window->document().project(), bench.window->document().project()));
-        const OutcomePtr same = again.window->outcome();
+        const OutcomePtr same = again.window->studies().outcome;
         QCOMPARE(same->result.time_s, after->result.time_s);
         QCOMPARE(same->constraints.size(), after->constraints.size());
         for (std::size_t i = 0; i < same->constraints.size(); ++i) {
@@ -109,7 +109,7 @@ private slots:
         Project project = bench.window->document().project();
         project.part->radii_per_section = 35;
         bench.window->document().edit(project, {"Input", "Radii per section"});
-        QTRY_VERIFY(!bench.window->outcome()->ran());
+        QTRY_VERIFY(!bench.window->studies().outcome->ran());
         MessagesPanel& messages = bench.window->messages();
         QCOMPARE(messages.count(), 1);
         QVERIFY(messages.item(0)->text().contains(QStringLiteral("Radii per section")));
@@ -181,7 +181,7 @@ private slots:
         auto* feeds = bench.window->findChild<FeedsView*>();
         auto* profiles = bench.window->findChild<ProfilesView*>();
         const auto activate = [&](ConstraintKind kind) {
-            for (const ConstraintResult& c : bench.window->outcome()->constraints) {
+            for (const ConstraintResult& c : bench.window->studies().outcome->constraints) {
                 if (c.kind == kind) {
                     emit panel->requirementActivated(c);
                     return c;
@@ -191,7 +191,7 @@ private slots:
         };
         activate(ConstraintKind::diameterMax);
         QCOMPARE(bench.window->viewTabs().currentView(), profiles);
-        QCOMPARE(profiles->stroke(), bench.window->outcome()->result.cycleCount);
+        QCOMPARE(profiles->stroke(), bench.window->studies().outcome->result.cycleCount);
         const ConstraintResult power = activate(ConstraintKind::wheelPower);
         QVERIFY(power.at);
         QCOMPARE(bench.window->viewTabs().currentView(), feeds);
@@ -211,7 +211,7 @@ private slots:
         bench.window->inputs().showPage(3);
         auto* label = bench.window->findChild<QLabel*>(QStringLiteral("computedCompliance"));
         QVERIFY(label->isVisibleTo(label->parentWidget()));
-        for (const SectionResult& section : bench.window->outcome()->result.sections) {
+        for (const SectionResult& section : bench.window->studies().outcome->result.sections) {
             QVERIFY(label->text().contains(Names::significant(section.compliance_mm_per_n)));
         }
         QVERIFY(bench.open(examplePath("shaft-30h6-factory"))); // with given values

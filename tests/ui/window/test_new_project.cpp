@@ -65,8 +65,9 @@ struct NewBench : Bench {
     }
     [[nodiscard]] bool incomplete() {
         return QTest::qWaitFor([this] {
-            return window->outcome() && !window->outcome()->ran()
-                   && window->outcome()->issues.size() == window->document().openInputs().size();
+            return window->studies().outcome && !window->studies().outcome->ran()
+                   && window->studies().outcome->issues.size()
+                          == window->document().openInputs().size();
         });
     }
 };
@@ -107,7 +108,7 @@ private slots:
         }
         QVERIFY(bench.window->cursor().outcome());
         bench.action("newPlunge")->trigger();
-        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome && !bench.window->studies().outcome->ran());
         QVERIFY(!bench.window->cursor().outcome());
         for (const View* view : bench.window->views()) {
             QVERIFY(bench.window->showView(view->objectName()));
@@ -124,7 +125,7 @@ private slots:
             QTest::keyClicks(field, isLength ? QStringLiteral("40") : text);
             QTest::keyClick(field, Qt::Key_Return);
         }
-        QTRY_VERIFY(bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome->ran());
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         QTRY_VERIFY(bench.window->findChild<FeedsView*>()->findChild<FeedsPlot*>()->isVisible());
     }
@@ -146,7 +147,7 @@ private slots:
         QTRY_VERIFY(hasTimes());
         QVERIFY(strip->isVisible());
         bench.action("newPlunge")->trigger();
-        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome && !bench.window->studies().outcome->ran());
         bench.rest();
         QVERIFY(!hasTimes());
         QVERIFY(!strip->isVisible());
@@ -183,7 +184,7 @@ private slots:
             bench.type(path, text);
             QVERIFY(!bench.window->document().isOpen(path));
         }
-        QTRY_VERIFY(bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome->ran());
         QCOMPARE(bench.window->document().project().part->diameter_mm, 40.0);
         QCOMPARE(bench.window->document().project().part->stock_mm, 0.15);
         QTRY_VERIFY(bench.verdict("overall").isVisible());
@@ -191,7 +192,7 @@ private slots:
         QVERIFY(bench.incomplete());
         QCOMPARE(bench.window->document().openInputs().size(), std::size_t(1));
         bench.window->document().redo();
-        QTRY_VERIFY(bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome->ran());
     }
 
     // The cycle is the starting one of the drawing, and follows it until something else is changed.
@@ -217,7 +218,7 @@ private slots:
         const auto segments = document.project().part->shaft.segments;
         QCOMPARE(segments.size(), 1u);
         QCOMPARE(segments.front().length_mm, 28.0);
-        QTRY_VERIFY(bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome->ran());
         QVERIFY(decidePhases(document.project(), usualPhases(document.project())).holds());
         const double before = document.project().cycle->stages.front().stock_mm;
         bench.type("/part/stock_mm", QStringLiteral("0.2"));
@@ -281,16 +282,17 @@ private slots:
         bench.type("/part/stock_mm", QStringLiteral("0.3"));
         Document& document = bench.window->document();
         QVERIFY(document.openInputs().empty());
-        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran()
-                    && bench.window->outcome()->issues.size() == 2);
-        QCOMPARE(bench.window->outcome()->issues.front().path, std::string("/part/diameter_mm"));
-        const Issue& offer = bench.window->outcome()->issues.back();
+        QTRY_VERIFY(bench.window->studies().outcome && !bench.window->studies().outcome->ran()
+                    && bench.window->studies().outcome->issues.size() == 2);
+        QCOMPARE(bench.window->studies().outcome->issues.front().path,
+                 std::string("/part/diameter_mm"));
+        const Issue& offer = bench.window->studies().outcome->issues.back();
         QCOMPARE(offer.path, std::string("/machine/name"));
         QVERIFY(issueText(offer).contains(QStringLiteral("3М174")));
         Project larger = document.project();
         applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3М174"), larger);
         document.edit(larger, {"Edit", "x"});
-        QTRY_VERIFY(bench.window->outcome()->ran());
+        QTRY_VERIFY(bench.window->studies().outcome->ran());
     }
 
     void theCyclePageStatesWhatLimitsTheRoughDepth() {

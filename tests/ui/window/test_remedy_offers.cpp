@@ -73,7 +73,7 @@ private slots:
         QVERIFY(offers.wait());
         QVERIFY(offers.section.isVisible());
         const Project before = bench.window->document().project();
-        const OutcomePtr outcome = bench.window->outcome();
+        const OutcomePtr outcome = bench.window->studies().outcome;
         QVERIFY(!holds(*outcome));
         const RemedyResult found = findRemedies(outcome->result, outcome->constraints);
         QVERIFY(!found.remedies.empty());
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(!bench.window->document().undoText().isEmpty());
         QVERIFY(!offers.take(1).isEnabled()); // of the inputs before
         QVERIFY(offers.wait());
-        QVERIFY(holds(*bench.window->outcome()));
+        QVERIFY(holds(*bench.window->studies().outcome));
         bench.action("undo")->trigger();
         QVERIFY(sameProject(bench.window->document().project(), before));
         QVERIFY(!bench.window->document().canUndo());
@@ -108,7 +108,7 @@ private slots:
         OpenBench bench(QStringLiteral("en"), examplePath("wheel-dull"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
-        const OutcomePtr outcome = bench.window->outcome();
+        const OutcomePtr outcome = bench.window->studies().outcome;
         const RemedyResult found = findRemedies(outcome->result, outcome->constraints);
         QVERIFY(found.remedies.size() >= 2);
         offers.take(1).setFocus(Qt::TabFocusReason);

@@ -199,8 +199,8 @@ private slots:
         }
         QTest::mouseRelease(slider, Qt::LeftButton, {}, slider->handle());
         const double last = slider->value().value();
-        QTRY_COMPARE(window.outcome()->result.project.cycle->stages[0].radial_feed_mm.value(),
-                     last);
+        QTRY_COMPARE(
+            window.studies().outcome->result.project.cycle->stages[0].radial_feed_mm.value(), last);
         window.document().undo();
         QVERIFY(!window.document().canUndo());
     }

@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(desk.tabs().count(), 3);
         QCOMPARE(desk.tabs().currentIndex(), 0);
         QCOMPARE(desk.tabs().tabText(1), QStringLiteral("2 Seat"));
-        QVERIFY(desk.bench.window->outcome()->ran());
+        QVERIFY(desk.bench.window->studies().outcome->ran());
         QVERIFY(!desk.document().modified());
     }
 
@@ -240,7 +240,7 @@ private slots:
         QVERIFY(run.isCompleted(setup));
         for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
             desk.clickSurface(i);
-            const SimulationResult& shown = desk.bench.window->outcome()->result;
+            const SimulationResult& shown = desk.bench.window->studies().outcome->result;
             QCOMPARE(shown.time_s, run.surfaces[i].result.time_s);
             QCOMPARE(shown.project.wheel->dullness, run.surfaces[i].result.project.wheel->dullness);
             QCOMPARE(desk.runs().statuses()[i].time_s, run.surfaces[i].result.time_s);
@@ -369,7 +369,8 @@ private slots:
         QCOMPARE(part.shaft.ground_from_mm, step.from_mm);
         QCOMPARE(part.length_mm, step.length_mm);
         QCOMPARE(part.diameter_mm, step.diameter_mm);
-        QVERIFY(!desk.bench.window->outcome()->ran()); // deviations and stock are yet to be given
+        // Deviations and stock are yet to be given.
+        QVERIFY(!desk.bench.window->studies().outcome->ran());
         QCOMPARE(desk.document().openInputs().size(), std::size_t{3});
         desk.press("undo");
         QCOMPARE(desk.document().surfaceCount(), std::size_t{2});
@@ -500,7 +501,7 @@ private slots:
         project.part->lower_deviation_um = project.part->upper_deviation_um + 1;
         desk.document().edit(project, {"Input", "Diameter"});
         desk.clickSurface(2);
-        const OutcomePtr outcome = desk.bench.window->outcome();
+        const OutcomePtr outcome = desk.bench.window->studies().outcome;
         QVERIFY(!outcome->ran());
         QVERIFY(outcome->issues.front().path.starts_with("/surfaces/0/part/"));
         QCOMPARE(desk.runs().statuses()[0].state, SurfaceStatus::State::refused);

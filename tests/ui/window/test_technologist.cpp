@@ -282,7 +282,7 @@ struct Workplace : Bench {
         typeInto("/part/tolerance/roughness_ra_um", drawn.roughness_um);
         hand.key(Qt::Key_Return);
         calm();
-        hand.check(window->document().openInputs().empty() && window->outcome()->ran(),
+        hand.check(window->document().openInputs().empty() && window->studies().outcome->ran(),
                    QStringLiteral("not run: ") + QString::fromUtf8(drawn.name));
     }
     /// The first step is there with the first surface.

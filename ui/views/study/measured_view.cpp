@@ -140,6 +140,7 @@ void MeasuredView::connectParts() {
     connect(m_bar->run(), &QPushButton::clicked, this, &MeasuredView::runBatch);
     m_bar->follow(studies().prediction.job());
     connect(&studies().prediction.job(), &Job::answered, this, &MeasuredView::takeBatch);
+    connect(&studies().heldOut.job(), &Job::answered, this, &MeasuredView::judge);
     connect(m_import, &QPushButton::clicked, this, &MeasuredView::importAsked);
     connect(m_start, &QPushButton::clicked, this, &MeasuredView::importAsked);
     connect(m_paste, &QPushButton::clicked, this, &MeasuredView::pasteAsked);
@@ -198,7 +199,11 @@ bool MeasuredView::hasStatistics() const {
 void MeasuredView::takeOutcome(const OutcomePtr&) {
     const Project& project = good()->result.project;
     m_hasStatistics = !statisticsOfMeasured(project).empty();
-    holdOut();
+    StudyOf<HeldOut>& heldOut = studies().heldOut;
+    heldOut.follow(&project);
+    if (heldOut.stale() && !heldOut.running()) {
+        studies().runHoldOut(project);
+    }
     const Project predicting = predictingProject(project);
     studies().prediction.follow(&predicting);
     if (!hasStatistics()) {
@@ -213,20 +218,8 @@ void MeasuredView::takeOutcome(const OutcomePtr&) {
 
 void MeasuredView::dropOutcome() {
     m_hasStatistics = false;
-    m_holdOut.stop();
-    m_heldOut.clear();
+    studies().heldOut.forget();
     judge();
-}
-
-/// Runs the cycle once or twice for each calibrated input, on another thread.
-void MeasuredView::holdOut() {
-    m_heldOut.clear();
-    m_holdOut.start([this, of = good()](const std::stop_token& stop, const NewestJob::Post& post) {
-        post([this, found = sparkout::holdOut(of->result.project, stop)] {
-            m_heldOut = found;
-            judge();
-        });
-    });
 }
 
 void MeasuredView::dropStudies() {
@@ -255,10 +248,10 @@ void MeasuredView::judge() {
     const Project& project = good() ? good()->result.project : Project();
     m_rows = has ? judgeAdequacy(project, batch()->result) : std::vector<AdequacyRow>();
     m_model->update(adequacyTable(project, m_rows));
-    m_judgement->setText(
-        has ? (MeasuredText::judgement(project, m_rows) + MeasuredText::holdOut(project, m_heldOut))
-                  .join(u'\n')
-            : QString());
+    m_judgement->setText(has ? (MeasuredText::judgement(project, m_rows)
+                                + MeasuredText::holdOut(project, studies().currentHeldOut()))
+                                   .join(u'\n')
+                             : QString());
     fillQuantities();
     showComparison();
 }
@@ -346,7 +339,8 @@ QString MeasuredView::recordedText() const {
            "“Calibrate…” fits the process to it, the list “Traces” keeps it. No part is "
            "measured yet that could be compared with the predicted batch.")
             .arg(names.join(QStringLiteral("; ")));
-    return (QStringList(recorded) + MeasuredText::holdOut(good()->result.project, m_heldOut))
+    return (QStringList(recorded)
+            + MeasuredText::holdOut(good()->result.project, studies().currentHeldOut()))
         .join(u'\n');
 }
 

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "core/measured/adequacy.h"
-#include "core/measured/hold_out.h"
 #include "ui/chart/plot_view.h"
-#include "ui/session/job.h"
 
 #include <array>
 #include <vector>
@@ -81,7 +79,6 @@ private:
     void fillQuantities();
     [[nodiscard]] QString stateText() const;
     [[nodiscard]] QString recordedText() const; ///< empty without traces
-    void holdOut();
 
     BarPlot* m_boxes;
     ValueModel* m_model;
@@ -99,8 +96,6 @@ private:
     std::array<DataSheet*, 3> m_data{};
     MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;
     bool m_hasStatistics = false;
-    std::vector<HoldOutRow> m_heldOut;
-    NewestJob m_holdOut; ///< last member: stopped before the objects it reports to are destroyed
 };
 
 } // namespace sparkout

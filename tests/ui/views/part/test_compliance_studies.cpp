@@ -64,7 +64,7 @@ struct Window {
         : bench(QString::fromLatin1(language)) {
         QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
         bench.window->document().startUntitled(project);
-        QTRY_VERIFY(shown.count() > 0 && bench.window->outcome()->ran());
+        QTRY_VERIFY(shown.count() > 0 && bench.window->studies().outcome->ran());
         QVERIFY(bench.window->showView(QStringLiteral("compliance")));
         view = bench.window->findChild<ComplianceView*>();
         bench.settle();
@@ -138,7 +138,8 @@ private slots:
         QVERIFY(document.project().gauge->position_mm == best);
         QVERIFY(!document.project().gauge->section);
         QTRY_VERIFY(shown.count() > 0);
-        QVERIFY(std::abs(farthest_um(window.bench.window->outcome()->result) - promised) < 1e-9);
+        QVERIFY(std::abs(farthest_um(window.bench.window->studies().outcome->result) - promised)
+                < 1e-9);
         QTRY_VERIFY(window.pointsOf(GaugeCurves::presentKey).size() == 1
                     && window.pointsOf(GaugeCurves::presentKey)[0].x == best);
         QTRY_VERIFY(!window.put().isEnabled()); // it is there

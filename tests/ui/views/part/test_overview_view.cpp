@@ -47,7 +47,8 @@ struct Desk {
     [[nodiscard]] bool open(const Project& project) const {
         bench.window->document().startUntitled(project);
         const bool came = QTest::qWaitFor(
-            [this] { return bench.window->outcome() && !bench.window->runs().running(); }, 30'000);
+            [this] { return bench.window->studies().outcome && !bench.window->runs().running(); },
+            30'000);
         bench.settle();
         return came;
     }
@@ -81,7 +82,7 @@ struct Desk {
     [[nodiscard]] QString current() const {
         return bench.window->viewTabs().currentView()->objectName();
     }
-    [[nodiscard]] const Outcome& outcome() const { return *bench.window->outcome(); }
+    [[nodiscard]] const Outcome& outcome() const { return *bench.window->studies().outcome; }
     template <typename Widget>
     [[nodiscard]] Widget& part(const char* name) const {
         return *bench.window->findChild<Widget*>(QString::fromLatin1(name));

@@ -465,7 +465,7 @@ private slots:
         const QString yours = desk.answered("yours", "time");
         desk.click("optimiseTake");
         const double best_s = desk.view->search()->best()->time_s;
-        const auto present_s = [&] { return desk.bench.window->outcome()->result.time_s; };
+        const auto present_s = [&] { return desk.bench.window->studies().outcome->result.time_s; };
         QTRY_VERIFY(std::abs(present_s() - best_s) < 1e-5);
         desk.bench.settle();
         QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
@@ -679,7 +679,7 @@ private slots:
         Studies studies;
         OptimiseView view(nullptr, nullptr, &studies); // with an answer that took no search
         view.resize(desk.view->size());
-        view.setOutcome(desk.bench.window->outcome());
+        view.setOutcome(desk.bench.window->studies().outcome);
         view.show();
         QTRY_VERIFY(!view.curves()->runs().empty());
         studies.search.take(std::make_shared<const SearchOutcome>(robustAnswer()));
