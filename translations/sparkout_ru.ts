@@ -9343,8 +9343,8 @@ With another name both versions stay as they are.</source>
             <translation>Шероховатость Ra</translation>
         </message>
         <message>
-            <source>roughness of the last cut</source>
-            <translation>шероховатость последнего прохода</translation>
+            <source>Ra, last cut</source>
+            <translation>Ra, посл. проход</translation>
         </message>
         <message>
             <source>Depth of cut without burn</source>
@@ -9360,7 +9360,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>self-sharpening</source>
-            <translation>самозатачивание круга</translation>
+            <translation>самозатачивание</translation>
         </message>
         <message>
             <source>Wheel drive power</source>
@@ -12696,14 +12696,6 @@ With another name both versions stay as they are.</source>
         </message>
     </context>
     <context>
-        <name>sparkout::ConstraintsPlot</name>
-        <message>
-            <source>%1 ↑</source>
-            <comment>a curve above the plot</comment>
-            <translation>%1 ↑</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::ConstraintsView</name>
         <message>
             <source>Constraints</source>
@@ -14221,6 +14213,10 @@ parts, ≤ %</source>
         <message>
             <source>%1 (hidden)</source>
             <translation>%1 (скрыто)</translation>
+        </message>
+        <message>
+            <source>%1 (above the plot)</source>
+            <translation>%1 (выше графика)</translation>
         </message>
         <message>
             <source>chosen: %1</source>
@@ -17758,7 +17754,7 @@ target, µm</source>
         </message>
         <message>
             <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
-            <translation>%1: припуск %2 мкм, фактическая подача %3 мкм/об, ширина %4 мм</translation>
+            <translation>%1: припуск %2 мкм, фактическая подача %3 мкм, ширина %4 мм</translation>
         </message>
         <message>
             <source>Allowed feed, µm: %1</source>
@@ -17843,7 +17839,7 @@ target, µm</source>
         <message>
             <source>actual feed</source>
             <comment>legend</comment>
-            <translation>факт. подача</translation>
+            <translation>подача</translation>
         </message>
         <message>
             <source>Stock left after the cut, µm</source>
@@ -17858,8 +17854,8 @@ target, µm</source>
             <translation>предел цикла</translation>
         </message>
         <message>
-            <source>accuracy, estimate</source>
-            <translation>точность, оц.</translation>
+            <source>≈ accuracy</source>
+            <translation>≈ точность</translation>
         </message>
         <message>
             <source>runout (22)</source>
@@ -17873,10 +17869,6 @@ target, µm</source>
             <source>machine&apos;s feed</source>
             <comment>legend</comment>
             <translation>станок</translation>
-        </message>
-        <message>
-            <source>band: what binds</source>
-            <translation>что ограничивает</translation>
         </message>
     </context>
     <context>

@@ -32,8 +32,10 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTableView>
+#include <QTemporaryDir>
 
 #include <map>
+#include <vector>
 
 namespace sparkout::test_new_project {
 
@@ -291,6 +293,30 @@ private slots:
         applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3М174"), larger);
         document.edit(larger, {"Edit", "x"});
         QTRY_VERIFY(bench.window->outcome()->ran());
+    }
+
+    void onceSavedAPartThatTheMachineDoesNotTakeIsComputedWithAWarning() {
+        NewBench bench("newPlunge");
+        QVERIFY(bench.incomplete());
+        bench.type("/part/diameter_mm", QStringLiteral("300h8"));
+        bench.type("/part/length_mm", QStringLiteral("40"));
+        bench.type("/part/stock_mm", QStringLiteral("0.3"));
+        const auto severities = [&bench] {
+            std::vector<Severity> found;
+            for (const Issue& issue : bench.window->outcome()->issues) {
+                if (issue.path == "/part/diameter_mm") {
+                    found.push_back(issue.severity);
+                }
+            }
+            return found;
+        };
+        QTRY_VERIFY(!bench.window->runs().running()
+                    && severities() == std::vector{Severity::error});
+        const QTemporaryDir folder;
+        QVERIFY(!bench.window->document().saveAs(folder.filePath(QStringLiteral("a.sparkout"))));
+        QTRY_VERIFY(bench.window->outcome()->ran()
+                    && severities() == std::vector{Severity::warning});
+        QVERIFY(!bench.window->document().modified());
     }
 
     void theCyclePageStatesWhatLimitsTheRoughDepth() {
