@@ -1632,7 +1632,7 @@
         </message>
         <message>
             <source>Overlap B/s</source>
-            <translation>Перекрытие B/s</translation>
+            <translation>Коэф. перекр. B/s</translation>
         </message>
         <message>
             <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
@@ -8699,7 +8699,7 @@ With another name both versions stay as they are.</source>
         <name>PassportPrediction</name>
         <message>
             <source>It meets all requirements</source>
-            <translation>Она удовлетворяет всем требованиям</translation>
+            <translation>Все требования выполнены</translation>
         </message>
         <message>
             <source>Characteristic</source>
@@ -9511,15 +9511,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Overlap</source>
-            <translation>Перекрытие</translation>
+            <translation>Перекрытие витков</translation>
         </message>
         <message>
             <source>Minimum overlap</source>
-            <translation>Наим. перекрытие</translation>
+            <translation>Коэф. перекрытия</translation>
         </message>
         <message>
             <source>Overlap, last</source>
-            <translation>Перекрытие посл.</translation>
+            <translation>Коэф. перекр., посл.</translation>
         </message>
         <message>
             <source>Fewest steps</source>
@@ -10974,7 +10974,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>overlap: revolutions over a point in a stroke</source>
-            <translation>перекрытие: оборотов над точкой за ход</translation>
+            <translation>коэффициент перекрытия: оборотов над точкой за ход</translation>
         </message>
         <message>
             <source>calibration of Ra: measured over computed</source>
@@ -17837,9 +17837,9 @@ target, µm</source>
             <translation>программная подача, мкм</translation>
         </message>
         <message>
-            <source>actual feed</source>
-            <comment>legend</comment>
-            <translation>подача</translation>
+            <source>actual</source>
+            <comment>legend: feed</comment>
+            <translation>факт</translation>
         </message>
         <message>
             <source>Stock left after the cut, µm</source>
@@ -17990,8 +17990,8 @@ double stroke</source>
         <message>
             <source>Feed, µm
 per pass</source>
-            <translation>Подача, мкм
-за проход</translation>
+            <translation>Подача,
+мкм/проход</translation>
         </message>
         <message>
             <source>Normal

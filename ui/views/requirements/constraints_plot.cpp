@@ -276,7 +276,7 @@ LineChart LimitChart::chart(bool isLogarithmic) const {
 
 void LimitChart::addCuts(LineChart& chart) const {
     ChartSeries actual{.key = actualKey,
-                       .name = tr("actual feed", "legend"),
+                       .name = tr("actual", "legend: feed"),
                        .kind = ChartSeries::Kind::path,
                        .colour = Drawn::actualFeed,
                        .pen = style::line(Drawn::actualFeed, {}),
