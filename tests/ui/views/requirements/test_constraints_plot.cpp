@@ -145,7 +145,7 @@ private slots:
     void aLimitAboveThePlotIsAnArrowInTheLegend() {
         const Shown shown(run(limitedProject()));
         constexpr int burn = static_cast<int>(ConstraintKind::burn);
-        const auto entry = [&shown] {
+        const auto entry = [&] {
             const LegendEntries entries = shown.plot().legendEntries();
             return *std::ranges::find(entries, burn, &LegendEntry::key);
         };
