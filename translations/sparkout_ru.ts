@@ -1632,7 +1632,7 @@
         </message>
         <message>
             <source>Overlap B/s</source>
-            <translation>Перекрытие B/s</translation>
+            <translation>Коэф. перекр. B/s</translation>
         </message>
         <message>
             <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
@@ -8763,7 +8763,7 @@ With another name both versions stay as they are.</source>
         <name>PassportPrediction</name>
         <message>
             <source>It meets all requirements</source>
-            <translation>Она удовлетворяет всем требованиям</translation>
+            <translation>Все требования выполнены</translation>
         </message>
         <message>
             <source>Characteristic</source>
@@ -9407,8 +9407,8 @@ With another name both versions stay as they are.</source>
             <translation>Шероховатость Ra</translation>
         </message>
         <message>
-            <source>roughness of the last cut</source>
-            <translation>шероховатость последнего прохода</translation>
+            <source>Ra, last cut</source>
+            <translation>Ra, посл. проход</translation>
         </message>
         <message>
             <source>Depth of cut without burn</source>
@@ -9424,7 +9424,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>self-sharpening</source>
-            <translation>самозатачивание круга</translation>
+            <translation>самозатачивание</translation>
         </message>
         <message>
             <source>Wheel drive power</source>
@@ -9575,15 +9575,15 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Overlap</source>
-            <translation>Перекрытие</translation>
+            <translation>Перекрытие витков</translation>
         </message>
         <message>
             <source>Minimum overlap</source>
-            <translation>Наим. перекрытие</translation>
+            <translation>Коэф. перекрытия</translation>
         </message>
         <message>
             <source>Overlap, last</source>
-            <translation>Перекрытие посл.</translation>
+            <translation>Коэф. перекр., посл.</translation>
         </message>
         <message>
             <source>Fewest steps</source>
@@ -10990,7 +10990,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>overlap: revolutions over a point in a stroke</source>
-            <translation>перекрытие: оборотов над точкой за ход</translation>
+            <translation>коэффициент перекрытия: оборотов над точкой за ход</translation>
         </message>
         <message>
             <source>calibration of Ra: measured over computed</source>
@@ -12712,14 +12712,6 @@ With another name both versions stay as they are.</source>
         </message>
     </context>
     <context>
-        <name>sparkout::ConstraintsPlot</name>
-        <message>
-            <source>%1 ↑</source>
-            <comment>a curve above the plot</comment>
-            <translation>%1 ↑</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::ConstraintsView</name>
         <message>
             <source>Constraints</source>
@@ -14237,6 +14229,10 @@ parts, ≤ %</source>
         <message>
             <source>%1 (hidden)</source>
             <translation>%1 (скрыто)</translation>
+        </message>
+        <message>
+            <source>%1 (above the plot)</source>
+            <translation>%1 (выше графика)</translation>
         </message>
         <message>
             <source>chosen: %1</source>
@@ -17778,7 +17774,7 @@ target, µm</source>
         </message>
         <message>
             <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
-            <translation>%1: припуск %2 мкм, фактическая подача %3 мкм/об, ширина %4 мм</translation>
+            <translation>%1: припуск %2 мкм, фактическая подача %3 мкм, ширина %4 мм</translation>
         </message>
         <message>
             <source>Allowed feed, µm: %1</source>
@@ -17861,9 +17857,9 @@ target, µm</source>
             <translation>программная подача, мкм</translation>
         </message>
         <message>
-            <source>actual feed</source>
-            <comment>legend</comment>
-            <translation>факт. подача</translation>
+            <source>actual</source>
+            <comment>legend: feed</comment>
+            <translation>факт</translation>
         </message>
         <message>
             <source>Stock left after the cut, µm</source>
@@ -17878,8 +17874,8 @@ target, µm</source>
             <translation>предел цикла</translation>
         </message>
         <message>
-            <source>accuracy, estimate</source>
-            <translation>точность, оц.</translation>
+            <source>≈ accuracy</source>
+            <translation>≈ точность</translation>
         </message>
         <message>
             <source>runout (22)</source>
@@ -17893,10 +17889,6 @@ target, µm</source>
             <source>machine&apos;s feed</source>
             <comment>legend</comment>
             <translation>станок</translation>
-        </message>
-        <message>
-            <source>band: what binds</source>
-            <translation>что ограничивает</translation>
         </message>
     </context>
     <context>
@@ -18018,8 +18010,8 @@ double stroke</source>
         <message>
             <source>Feed, µm
 per pass</source>
-            <translation>Подача, мкм
-за проход</translation>
+            <translation>Подача,
+мкм/проход</translation>
         </message>
         <message>
             <source>Normal

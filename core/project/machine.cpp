@@ -103,7 +103,7 @@ bool onCentres(const Project& p, const void*) {
     return p.part->surface == Surface::external && p.part->shaft.mounting == Mounting::centres;
 }
 bool withoutRunoutOfForm(const Project& p, const void*) {
-    return !p.machine->form || !p.machine->form->runout_um;
+    return !isEccentricityKnown(*p.machine);
 }
 
 } // namespace
@@ -122,7 +122,7 @@ bool areLobesUnknown(const Machine& machine) {
 }
 
 double addedRunout_um(const Machine& machine) {
-    return machine.form && machine.form->runout_um ? 0 : machine.geometric_runout_um;
+    return isEccentricityKnown(machine) ? 0 : machine.geometric_runout_um;
 }
 
 bool isRoundnessKnown(const Machine& machine) {
@@ -130,7 +130,11 @@ bool isRoundnessKnown(const Machine& machine) {
 }
 
 bool isRunoutKnown(const Machine& machine) {
-    return (machine.form && machine.form->runout_um) || machine.geometric_runout_um > 0;
+    return isEccentricityKnown(machine) || machine.geometric_runout_um > 0;
+}
+
+bool isEccentricityKnown(const Machine& machine) {
+    return machine.form && machine.form->runout_um;
 }
 
 void changeWheelDiameter(Project& project, double diameter_mm) {

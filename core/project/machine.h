@@ -143,6 +143,8 @@ inline constexpr int radiiOfLobe = 12;
 /// those of the process alone.
 [[nodiscard]] bool isRoundnessKnown(const Machine& machine);
 [[nodiscard]] bool isRunoutKnown(const Machine& machine);
+/// Whether radii include the machine's own eccentricity: a runout without a form is only a number.
+[[nodiscard]] bool isEccentricityKnown(const Machine& machine);
 
 template <>
 std::span<const Choice> choicesOf<EntrySide>();

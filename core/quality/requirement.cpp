@@ -103,7 +103,7 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .key = "roughness",
      .label = SPARKOUT_NOOP("Requirement", "Roughness Ra"),
      .brief = SPARKOUT_NOOP("RequirementBrief", "Roughness Ra"),
-     .limitName = SPARKOUT_NOOP("Requirement", "roughness of the last cut"),
+     .limitName = SPARKOUT_NOOP("Requirement", "Ra, last cut"),
      .unit = "µm",
      .digits = micrometreDigits,
      .scope = ConstraintScope::section,

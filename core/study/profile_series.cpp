@@ -200,6 +200,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     series.time_s = result.time_s;
     series.knowsRunout = isRunoutKnown(*result.project.machine);
     series.knowsRoundness = isRoundnessKnown(*result.project.machine);
+    series.knowsEccentricity = isEccentricityKnown(*result.project.machine);
     series.isWhole = FinishedSurface(result.project).isWhole();
     const bool zones = series.operation->travels;
     const int gauge = gaugeProfile(result);

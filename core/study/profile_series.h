@@ -65,9 +65,9 @@ struct ProfileSeries {
     bool strokeDone = true; ///< false: the moment is within that stroke
     int stage = 0;          ///< stage of that stroke; 0: the blank, or not known
     double time_s = 0;      ///< from the start of the cycle
-    bool knowsRunout = true,
-         knowsRoundness = true; ///< whether the machine's own runout and roundness are included
-    bool isWhole = true;        ///< false: strips stay uncut, so the surface has no size and form
+    /// Whether the machine's own runout, roundness and eccentricity are included.
+    bool knowsRunout = true, knowsRoundness = true, knowsEccentricity = true;
+    bool isWhole = true; ///< false: strips stay uncut, so the surface has no size and form
 
     /// Returns the K radii of a profile before the first touch.
     [[nodiscard]] const std::vector<double>& blankOf(const Profile& profile) const {

@@ -247,10 +247,7 @@ Project withStartingCycle(Project project) {
 
 bool hasPlainShaft(const Project& project) {
     const Shaft& shaft = project.part->shaft;
-    return project.part->surface == Surface::internal
-               ? shaft.segments.empty() && shaft.steady_rests.empty()
-               : shaft.segments.size() <= 1 && shaft.steady_rests.empty()
-                     && shaft.ground_from_mm == 0;
+    return shaft.segments.size() <= 1 && shaft.steady_rests.empty() && shaft.ground_from_mm == 0;
 }
 
 Project withPlainShaft(Project project) {

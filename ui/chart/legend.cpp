@@ -15,7 +15,7 @@ namespace {
 
 constexpr int sample = 22;
 constexpr int sampleGap = 5;
-constexpr int between = 14;
+constexpr int between = 10;
 constexpr int swatchHeight = 10;
 constexpr int haloWidth = 4;
 constexpr double hiddenOpacity = 0.45; ///< opacity of hidden entries
@@ -74,6 +74,10 @@ void drawSwatch(QPainter& painter, const LegendEntry& entry, const QRectF& swatc
     painter.setBrush(Qt::NoBrush);
     if (entry.swatch == Swatch::square) {
         painter.drawRect(QRectF(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach));
+    } else if (entry.swatch == Swatch::arrow) {
+        painter.drawLine(at + QPointF(0, reach), at + QPointF(0, -reach));
+        painter.drawPolyline(
+            QPolygonF({at + QPointF(-reach, 0), at + QPointF(0, -reach), at + QPointF(reach, 0)}));
     } else {
         painter.drawPolygon(QPolygonF({at + QPointF(0, -reach), at + QPointF(reach, 0),
                                        at + QPointF(0, reach), at + QPointF(-reach, 0)}));
@@ -163,7 +167,9 @@ void LegendStrip::setEntries(LegendEntries entries) {
 void LegendStrip::tell() {
     QStringList texts;
     for (const LegendEntry& e : m_entries) {
-        texts << (e.shown ? e.text : tr("%1 (hidden)").arg(e.text));
+        texts << (!e.shown                    ? tr("%1 (hidden)").arg(e.text)
+                  : e.swatch == Swatch::arrow ? tr("%1 (above the plot)").arg(e.text)
+                                              : e.text);
     }
     if (m_current >= 0) {
         texts.prepend(tr("chosen: %1").arg(texts[m_current]));

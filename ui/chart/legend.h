@@ -17,7 +17,8 @@ class QPainter;
 
 namespace sparkout {
 
-enum class Swatch { area, square, rhombus }; ///< filled, or the mark of a point
+/// Filled, the mark of a point, or the arrow of a curve that lies above the plot.
+enum class Swatch { area, square, rhombus, arrow };
 
 struct LegendEntry {
     QColor colour;

@@ -268,9 +268,6 @@ QString FeedText::spread(const Spread& s, bool sign) {
 
 QString FeedText::where(const FeedPoint& p, double time_s, const FeedSeries& series) {
     QStringList parts{Names::place(p.place, series.operation)};
-    if (p.place.step != Step::none) {
-        parts << Names::stepMeaning(p.place.zone, p.place.step);
-    }
     if (series.operation->travels && p.place.revolution > 0) {
         parts << tr("pass %1").arg(p.place.revolution);
     }

@@ -488,11 +488,15 @@ std::optional<FileError> Document::saveAs(const QString& path) {
 }
 
 void Document::markSaved(const QString& path, const QByteArray& hash) {
+    const bool wasRefused = !newFaults().empty();
     m_filePath = path;
     m_diskHash = hash;
     m_readOnly = false;
     endMerge();
     m_history.setClean();
+    if (wasRefused && newFaults().empty()) {
+        emit changed();
+    }
     emit saved();
     emit historyChanged();
 }

@@ -154,7 +154,8 @@ public:
     void markUnsaved(); ///< the file no longer contains it
 
 signals:
-    void changed();                               ///< the value or the current surface has changed
+    /// The value or the current surface has changed, or a first save has lifted newFaults().
+    void changed();
     void edited(const sparkout::Project& before); ///< after edit() and changed()
     /// After an undo or redo and changed(): path of the first changed value.
     void stepped(const std::string& path);

@@ -97,7 +97,8 @@ QString Names::moment(Operation operation, int stroke, int count, bool strokeDon
 QString Names::place(const Place& place, Operation operation) {
     QStringList parts{zone(place.zone, place.section)};
     if (place.step != Step::none) {
-        parts << step(place.step);
+        parts << QStringLiteral("%1 (%2)").arg(stepMeaning(place.zone, place.step),
+                                               step(place.step));
     }
     parts << tr("stage %1").arg(place.stage);
     parts << (operation->travels ? tr("double stroke %1").arg(place.cycleCount)
@@ -108,7 +109,7 @@ QString Names::place(const Place& place, Operation operation) {
 QString Names::moment(const Place& place, Operation operation) {
     QStringList parts;
     if (place.step != Step::none) {
-        parts << step(place.step);
+        parts << stepMeaning(place.zone, place.step);
     }
     parts << tr("stage %1").arg(place.stage);
     parts << (operation->travels ? tr("double stroke %1", "short").arg(place.cycleCount)

@@ -27,6 +27,7 @@ public:
     static QString stepMeaning(Zone zone, Step step);
     /// A moment of the cycle: "After double stroke 27 of 54", or within it; before the first one.
     static QString moment(Operation operation, int stroke, int count, bool strokeDone);
+    /// "RZ1, plunge-in (E1), stage 2, double stroke 27".
     static QString place(const Place& place, Operation operation);
     /// The moment without the zone or section, for a table that names it already.
     static QString moment(const Place& place, Operation operation);

@@ -242,10 +242,45 @@ private slots:
         QVERIFY(says(false, "Radial runout ≥ 0.540 µm, machine not known"));
         series.knowsRunout = true;
         QVERIFY(says(true, "runout 0.54 µm"));
-        const RoundnessZone circle;
-        QCOMPARE(ProfilesText::roundness(circle, true, false), QStringLiteral("RONt –, e 0.00 µm"));
-        QCOMPARE(ProfilesText::roundness(circle, true, true),
-                 QStringLiteral("RONt 0.00, e 0.00 µm"));
+    }
+
+    /// An eccentricity is stated as roundness is; a runout without a form gives none.
+    void anEccentricityWithoutTheMachinesIsALowerBound() {
+        using Text = ProfilesText;
+        RoundnessZone circle;
+        QCOMPARE(Text::roundness(circle, true, false, false), QStringLiteral("RONt –, e – µm"));
+        QCOMPARE(Text::roundness(circle, true, true, true), QStringLiteral("RONt 0.00, e 0.00 µm"));
+        circle.outer_mm = 1.2e-3;
+        circle.x_mm = 3e-4;
+        circle.y_mm = -4e-4;
+        QCOMPARE(Text::roundness(circle, true, false, true),
+                 QStringLiteral("RONt ≥ 1.20, e 0.50 µm"));
+        QCOMPARE(Text::roundness(circle, false, true, false),
+                 QStringLiteral("RONt 1.200 µm, eccentricity ≥ 0.500 µm, machine not known"));
+        Machine machine;
+        machine.geometric_runout_um = 1;
+        QVERIFY(!isEccentricityKnown(machine));
+        machine.form.emplace().roundness_um = {1, 1, 1};
+        QVERIFY(!isEccentricityKnown(machine));
+        machine.form->runout_um = {2, 2, 2};
+        QVERIFY(isEccentricityKnown(machine));
+    }
+
+    void theSpectrumStatesAmplitudesWithoutTheMachinesAsLowerBounds() {
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        ProfileSeries series = makeProfileSeries(outcome->result, outcome->trajectory);
+        series.profiles.front().radii_mm = series.blank_mm; // an ellipse
+        QVERIFY(!series.knowsEccentricity && !series.knowsRoundness);
+        const auto says = [&series](double undulations, const char* text) {
+            const ChartGrid grid = SpectrumCharts::of(series, {0}, false, {});
+            const QString said = grid.cells.front().placeText(undulations);
+            return said.contains(QStringLiteral("amplitude ") + QString::fromUtf8(text));
+        };
+        QVERIFY(says(1, "– µm") && says(2, "≥ "));
+        series.knowsEccentricity = true;
+        QVERIFY(!says(1, "– µm") && says(2, "≥ "));
+        series.knowsRoundness = true;
+        QVERIFY(!says(2, "≥ "));
     }
 
     void aZoneWithoutARoughnessHasADash() {

@@ -81,15 +81,15 @@ public:
         }
     }
     void countKey() { ++m_keys; } ///< one that is pressed elsewhere
-    /// Goes on from field to field to one by its name.
-    void tabTo(const QString& name) {
+    /// Goes on, or with Shift back, from field to field to one by its name.
+    void tabTo(const QString& name, Qt::KeyboardModifiers modifiers = {}) {
         constexpr int most = 12;
         for (int i = 0; i < most; ++i) {
             const QWidget* const focus = focused();
             if (!focus || focus->objectName() == name) {
                 return;
             }
-            key(Qt::Key_Tab);
+            key(Qt::Key_Tab, modifiers);
         }
         check(false, QStringLiteral("the key Tab does not lead to ") + name);
     }

@@ -32,8 +32,10 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTableView>
+#include <QTemporaryDir>
 
 #include <map>
+#include <vector>
 
 namespace sparkout::test_new_project {
 
@@ -274,6 +276,37 @@ private slots:
         QVERIFY(document.followsDrawing());
     }
 
+    /// A shaft that becomes a bore before it is drawn gets wheel and quill of a bore.
+    void aNewBoreHasItsWheelAndQuill() {
+        Document document;
+        document.startIncomplete(undrawnProject(Operation::plunge), drawingInputs());
+        const auto edit = [&document](const auto& change) {
+            Project changed = document.project();
+            change(changed);
+            document.edit(changed, {"Edit", "x"});
+        };
+        edit([](Project& project) { project.part->surface = Surface::internal; });
+        edit([](Project& project) {
+            applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3К227"), project);
+        });
+        edit([](Project& project) {
+            Part& part = *project.part;
+            part.diameter_mm = 60;
+            part.upper_deviation_um = 30;
+            part.lower_deviation_um = 0;
+            part.length_mm = 30;
+            part.stock_mm = 0.15;
+        });
+        QVERIFY(document.followsDrawing() && document.newFaults().empty());
+        const Project& bore = document.project();
+        QCOMPARE(bore.wheel->diameter_mm, 40.0);
+        const std::optional<Quill>& quill = bore.part->shaft.quill;
+        QVERIFY(quill.has_value() && bore.part->shaft.segments.empty());
+        QCOMPARE(quill->length_mm, 45.0);   // 15 mm beyond the bore
+        QCOMPARE(quill->diameter_mm, 28.0); // 0.7 of the wheel's
+        QVERIFY(evaluate(bore, {})->ran());
+    }
+
     void aPartThatTheMachineDoesNotTakeIsRefusedUntilAnotherTakesIt() {
         NewBench bench("newPlunge");
         QVERIFY(bench.incomplete());
@@ -293,6 +326,30 @@ private slots:
         applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3М174"), larger);
         document.edit(larger, {"Edit", "x"});
         QTRY_VERIFY(bench.window->studies().outcome->ran());
+    }
+
+    void onceSavedAPartThatTheMachineDoesNotTakeIsComputedWithAWarning() {
+        NewBench bench("newPlunge");
+        QVERIFY(bench.incomplete());
+        bench.type("/part/diameter_mm", QStringLiteral("300h8"));
+        bench.type("/part/length_mm", QStringLiteral("40"));
+        bench.type("/part/stock_mm", QStringLiteral("0.3"));
+        const auto severities = [&bench] {
+            std::vector<Severity> found;
+            for (const Issue& issue : bench.window->studies().outcome->issues) {
+                if (issue.path == "/part/diameter_mm") {
+                    found.push_back(issue.severity);
+                }
+            }
+            return found;
+        };
+        QTRY_VERIFY(!bench.window->runs().running()
+                    && severities() == std::vector{Severity::error});
+        const QTemporaryDir folder;
+        QVERIFY(!bench.window->document().saveAs(folder.filePath(QStringLiteral("a.sparkout"))));
+        QTRY_VERIFY(bench.window->studies().outcome->ran()
+                    && severities() == std::vector{Severity::warning});
+        QVERIFY(!bench.window->document().modified());
     }
 
     void theCyclePageStatesWhatLimitsTheRoughDepth() {

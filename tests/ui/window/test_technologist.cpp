@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A technologist's hour, with mouse and keys: a stepped shaft of a gearbox from its drawing to the
+// A technologist's hour, with mouse and keys: five surfaces of a part from their drawing to the
 // passport and the operation card. Each cycle that the window offers on the way is judged for every
-// stock and by 500 fresh parts of its batch. One line a surface is printed. Pictures of the stages
-// are kept where SPARKOUT_HOUR_PICTURES names a folder.
+// stock and by 500 fresh parts of its batch. A table of the cycles is printed, with clicks, keys
+// and the time of a person. Pictures of the stages are kept where SPARKOUT_HOUR_PICTURES names a
+// folder. With SPARKOUT_LONG there are more drawings than the first.
 #include "core/batch/judgement.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/search/robust.h"
 #include "core/setup/worn_project.h"
@@ -18,6 +20,7 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/form/number_field.h"
+#include "ui/inputs/form_page.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/part_runs.h"
 #include "ui/session/run_controller.h"
@@ -31,6 +34,8 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -40,6 +45,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sparkout::test_technologist {
@@ -50,30 +56,60 @@ constexpr double leastPlunge_s = 10;
 constexpr double mostFinishFeed_mm_min = 0.2;
 constexpr int otherDraw = 1000; // than any that a search tries its answers on
 
-constexpr int traverseEntry = 1, plungeEntry = 2; // of what a new surface begins with
+constexpr int traverseEntry = 1, plungeEntry = 2;           // of what a new surface begins with
+constexpr int partPage = 0, machinePage = 3, cyclePage = 5; // of the inputs
 
 struct Step {
     const char *length_mm, *diameter_mm;
 };
-/// From the headstock on.
-const std::vector<Step> shaft{{"18", "36"}, {"26", "40"}, {"44", "45"},
-                              {"12", "52"}, {"90", "48"}, {"26", "40"}};
 
 /// What the drawing says of a ground step.
 struct Drawn {
     const char* name;
-    std::size_t step; ///< of the shaft
+    std::size_t step; ///< of the part
     bool travels;     ///< it is longer than the wheel is wide
     const char* size;
     const char* stock_mm;
     const char *roundness_um, *cylindricity_um, *roughness_um; ///< null: not required
+    const char* keyway = nullptr;                              ///< null: none
 };
-const std::vector<Drawn> drawing{
-    {"Шейка под муфту", 0, false, "36h8", "0,15", nullptr, nullptr, "1,6"},
-    {"Подшипник слева", 1, false, "40k6", "0,15", "5", nullptr, "0,8"},
-    {"Под шестерню", 2, false, "45n6", "0,15", nullptr, nullptr, "0,8"},
-    {"Цапфа", 4, true, "48h6", "0,2", nullptr, "8", "0,8"},
-    {"Подшипник справа", 5, false, "40k6", "0,15", "5", nullptr, "0,8"}};
+
+/// A drawing of five ground surfaces.
+struct Drawing {
+    const char* key; ///< of its row, and before the names of its pictures
+    const char* part;
+    const char* internalGrinder; ///< the machine of a part of bores; null: a shaft
+    std::vector<Step> steps;     ///< from the headstock on; those of bores are not entered
+    std::vector<Drawn> surfaces;
+};
+const std::vector<Drawing> drawings{
+    {"gearbox",
+     "Вал редуктора",
+     nullptr,
+     {{"18", "36"}, {"26", "40"}, {"44", "45"}, {"12", "52"}, {"90", "48"}, {"26", "40"}},
+     {{"Шейка под муфту", 0, false, "36h8", "0,15", nullptr, nullptr, "1,6"},
+      {"Подшипник слева", 1, false, "40k6", "0,15", "5", nullptr, "0,8"},
+      {"Под шестерню", 2, false, "45n6", "0,15", nullptr, nullptr, "0,8"},
+      {"Цапфа", 4, true, "48h6", "0,2", nullptr, "8", "0,8"},
+      {"Подшипник справа", 5, false, "40k6", "0,15", "5", nullptr, "0,8"}}},
+    {"pump",
+     "Вал насоса",
+     nullptr,
+     {{"24", "32"}, {"22", "35"}, {"8", "44"}, {"50", "38"}, {"130", "36"}, {"22", "35"}},
+     {{"Под полумуфту", 0, false, "32k6", "0,15", nullptr, nullptr, "1,6", "10P9 × 18"},
+      {"Подшипник у муфты", 1, false, "35k6", "0,15", "5", nullptr, "0,8"},
+      {"Под рабочее колесо", 3, false, "38h6", "0,15", nullptr, nullptr, "0,8"},
+      {"Под уплотнение", 4, true, "36g6", "0,2", nullptr, "8", "0,8"},
+      {"Подшипник у торца", 5, false, "35k6", "0,15", "5", nullptr, "0,8"}}},
+    {"sleeve", // the wheel of the first bore goes into all
+     "Гильза",
+     "3К227",
+     {{"35", "60"}, {"28", "62"}, {"30", "65"}, {"34", "70"}, {"25", "80"}},
+     {{"Под ступицу", 0, false, "60H7", "0,15", nullptr, nullptr, "0,8", "18P9 × 35"},
+      {"Подшипник слева", 1, false, "62H7", "0,15", "6", nullptr, "0,8"},
+      {"Под манжету", 2, false, "65H8", "0,2", nullptr, nullptr, "1,6"},
+      {"Подшипник справа", 3, false, "70H7", "0,15", "6", nullptr, "0,8"},
+      {"Под крышку", 4, false, "80H7", "0,2", nullptr, nullptr, "1,6"}}}};
 
 /// A cycle as it was offered, and what it is good for.
 struct Offered {
@@ -98,8 +134,8 @@ struct Offered {
         const std::vector<Stage>& stages = project.cycle->stages;
         return stages.size() - (stages.size() > 1 && !stages.back().feeds() ? 2 : 1);
     }
-    [[nodiscard]] QString text() const;
-    [[nodiscard]] QString fault() const; ///< why a shop would not run it; empty: it would
+    [[nodiscard]] QStringList cells() const; ///< of the table, by heads()
+    [[nodiscard]] QString fault() const;     ///< why a shop would not run it; empty: it would
 };
 
 Offered judged(const Project& project) {
@@ -118,48 +154,62 @@ Offered judged(const Project& project) {
     return offered;
 }
 
-QString Offered::text() const {
+QStringList heads() {
+    return {QStringLiteral("surface"),   QStringLiteral("cycle"),
+            QStringLiteral("T, s"),      QStringLiteral("feeds, mm/min × stock, mm"),
+            QStringLiteral("spark-out"), QStringLiteral("Ra, µm"),
+            QStringLiteral("form, µm"),  QStringLiteral("runout, µm"),
+            QStringLiteral("Ppk"),       QStringLiteral("bad"),
+            QStringLiteral("state")};
+}
+
+QStringList Offered::cells() const {
+    if (!outcome->ran() || !judgement.batch) {
+        return {QStringLiteral("not judged")};
+    }
     const auto number = [](double value, int digits) {
         return QString::number(value, 'f', digits);
     };
     const SimulationResult& result = outcome->result;
     const std::vector<Stage>& stages = project.cycle->stages;
-    QStringList parts{number(time_s(), 1) + QStringLiteral(" s")};
+    QStringList feeds;
     for (std::size_t i = 0; i <= finish(); ++i) {
-        parts += number(feed_mm_min(i), 3) + QStringLiteral(" mm/min × ")
-                 + number(stages[i].stock_mm, 3);
+        feeds += number(feed_mm_min(i), 3) + QStringLiteral(" × ") + number(stages[i].stock_mm, 3);
         if (project.operation->travels) {
-            parts.back() += QStringLiteral(" (S_t %1 µm, S_ax %2)")
+            feeds.back() += QStringLiteral(" (S_t %1 µm, S_ax %2)")
                                 .arg(number(stages[i].radial_feed_mm.value_or(0) * 1000, 1),
                                      number(stages[i].axial_feed_mm_min.value_or(0), 0));
         }
     }
-    const bool sparksOut = !stages.back().feeds();
-    parts += sparksOut ? QStringLiteral("spark-out %1 (%2 s)")
-                             .arg(result.countsByStage.back())
-                             .arg(number(result.timeByStage_s.back(), 1))
-                       : QStringLiteral("no spark-out");
+    const QString sparkOut = stages.back().feeds()
+                                 ? QStringLiteral("none")
+                                 : QStringLiteral("%1 (%2 s)")
+                                       .arg(result.countsByStage.back())
+                                       .arg(number(result.timeByStage_s.back(), 1));
     double runout_mm = 0;
     for (const SectionResult& section : result.sections) {
         runout_mm = std::max(runout_mm, section.radialRunout_mm);
     }
+    QStringList roughness, form;
     for (const ConstraintResult& each : worstByKind(outcome->constraints)) {
         if (each.kind == ConstraintKind::roughness) {
-            parts +=
-                QStringLiteral("Ra %1…%2")
-                    .arg(number(each.value, 2), number(each.mostValue.value_or(each.value), 2));
+            roughness +=
+                number(each.value, 2) + u'…' + number(each.mostValue.value_or(each.value), 2);
         } else if (each.kind == ConstraintKind::roundness
                    || each.kind == ConstraintKind::cylindricity) {
-            parts += QStringLiteral("%1 %2").arg(QString::fromLatin1(requirementOf(each.kind).key),
-                                                 number(each.value, 2));
+            form +=
+                QString::fromLatin1(requirementOf(each.kind).key) + u' ' + number(each.value, 2);
         }
     }
-    parts += QStringLiteral("runout %1").arg(number(runout_mm * 1000, 2));
-    parts +=
-        leastPpk ? QStringLiteral("Ppk %1").arg(number(*leastPpk, 2)) : QStringLiteral("no Ppk");
-    parts += QStringLiteral("%1 bad of %2").arg(judgement.batch->bad).arg(judgement.batch->parts);
-    parts += QString::fromLatin1(stateKey(judgement.state));
-    return parts.join(QStringLiteral(", "));
+    return {number(time_s(), 1),
+            feeds.join(QStringLiteral("; ")),
+            sparkOut,
+            roughness.join(u' '),
+            form.join(QStringLiteral(", ")),
+            number(runout_mm * 1000, 2),
+            leastPpk ? number(*leastPpk, 2) : QString(),
+            QStringLiteral("%1 of %2").arg(judgement.batch->bad).arg(judgement.batch->parts),
+            QString::fromLatin1(stateKey(judgement.state))};
 }
 
 QString Offered::fault() const {
@@ -187,7 +237,7 @@ QString Offered::fault() const {
 
 /// The window as he has it, and what he does there.
 struct Workplace : Bench {
-    Workplace() : Bench(QStringLiteral("ru")) {
+    explicit Workplace(const Drawing& of) : Bench(QStringLiteral("ru")), drawing(of) {
         settings.setAllInputs(false); // as a new user has it
         window.reset();
         window = std::make_unique<MainWindow>(settings, language);
@@ -231,11 +281,17 @@ struct Workplace : Bench {
         for (const QString& cut : textsWithoutRoom(shown)) {
             hand.check(false, QStringLiteral("no room, %1: %2").arg(picture, cut));
         }
+        takePicture(shown, picture);
+    }
+    /// The path of what is kept of this drawing; empty: nothing is kept.
+    [[nodiscard]] QString keptAs(const QString& name) const {
         const QString folder = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES");
-        if (!folder.isEmpty()) {
-            hand.check(shown.grab().save(folder + u'/' + picture + QStringLiteral(".png")),
-                       QStringLiteral("no picture in ") + folder);
-        }
+        return folder.isEmpty() ? QString()
+                                : folder + u'/' + QLatin1StringView(drawing.key) + u'-' + name;
+    }
+    void takePicture(QWidget& of, const QString& name) {
+        const QString path = keptAs(name + QStringLiteral(".png"));
+        hand.check(path.isEmpty() || of.grab().save(path), QStringLiteral("no picture ") + path);
     }
 
     [[nodiscard]] QMenuBar& menus() { return window->findChild<WindowHead*>()->menus(); }
@@ -270,7 +326,7 @@ struct Workplace : Bench {
     void typeDrawing(const Drawn& drawn) {
         hand.key(Qt::Key_Tab);
         if (window->document().isOpen("/part/length_mm")) {
-            typeInto("/part/length_mm", shaft[drawn.step].length_mm);
+            typeInto("/part/length_mm", drawing.steps[drawn.step].length_mm);
         }
         typeInto("/part/stock_mm", drawn.stock_mm);
         hand.click(window->findChild<NumberField*>(
@@ -282,31 +338,56 @@ struct Workplace : Bench {
         typeInto("/part/tolerance/roughness_ra_um", drawn.roughness_um);
         hand.key(Qt::Key_Return);
         calm();
-        hand.check(window->document().openInputs().empty() && window->studies().outcome->ran(),
+        if (drawn.keyway) {
+            hand.click(window->findChild<QLineEdit*>(QStringLiteral("keywayField")));
+            hand.type(QString::fromUtf8(drawn.keyway));
+            hand.key(Qt::Key_Return);
+            calm();
+        }
+        const Document& document = window->document();
+        hand.check(document.openInputs().empty() && window->studies().outcome->ran(),
                    QStringLiteral("not run: ") + QString::fromUtf8(drawn.name));
+        hand.check(document.project().part->gaps.empty() == !drawn.keyway,
+                   QStringLiteral("the keyway: ") + QString::fromUtf8(drawn.name));
+    }
+    /// From the size of a new project on, and back to it.
+    void chooseInternalGrinder() {
+        hand.tabTo(QStringLiteral("/part/surface"), Qt::ShiftModifier);
+        hand.key(Qt::Key_Down);
+        showPage(machinePage);
+        const FormPage& page = *window->inputs().pages().at(machinePage);
+        inDialog([&] { hand.click(page.findChild<QPushButton*>(QStringLiteral("fromCatalogue"))); },
+                 [&](QDialog&) { hand.type(QString::fromUtf8(drawing.internalGrinder)); });
+        showPage(partPage);
+        hand.click(window->findChild<QLineEdit*>(QStringLiteral("sizeField")));
+        hand.key(Qt::Key_A, Qt::ControlModifier);
+        const Project& project = window->document().project();
+        hand.check(project.part->surface == Surface::internal
+                       && project.machine->name == drawing.internalGrinder,
+                   QStringLiteral("not on the internal grinder"));
     }
     /// The first step is there with the first surface.
     void typeSteps() {
         auto* view = window->findChild<QTableView*>(QStringLiteral("/part/shaft/segments"));
         hand.click(toolsOf(*view->parentWidget()).front()); // adds one
-        for (std::size_t i = 1; i < shaft.size(); ++i) {
+        for (std::size_t i = 1; i < drawing.steps.size(); ++i) {
             if (i > 1) {
                 hand.key(Qt::Key_Insert);
                 hand.key(Qt::Key_Left);
             }
-            hand.type(QString::fromLatin1(shaft[i].length_mm));
+            hand.type(QString::fromLatin1(drawing.steps[i].length_mm));
             hand.key(Qt::Key_Tab);
-            hand.type(QString::fromLatin1(shaft[i].diameter_mm));
+            hand.type(QString::fromLatin1(drawing.steps[i].diameter_mm));
             hand.key(Qt::Key_Return);
             settle();
         }
     }
     void addSurface(const Drawn& drawn) {
         auto& strip = *window->findChild<PartStrip*>();
-        const bool isStrip = strip.isVisible();
+        const bool isOnStep = strip.isVisible() && !drawing.internalGrinder;
         PartDrawing& part = strip.drawing();
         const auto open = [&] {
-            if (!isStrip) {
+            if (!isOnStep) {
                 choose("addSurface");
                 return;
             }
@@ -326,7 +407,7 @@ struct Workplace : Bench {
                 hand.tabTo(begin->objectName());
                 hand.key(begin->currentIndex() > wanted ? Qt::Key_Up : Qt::Key_Down);
             }
-            endPicture(dialog, QStringLiteral("add"));
+            takePicture(dialog, QStringLiteral("add"));
         });
         calm();
         hand.check(QApplication::focusWidget()
@@ -335,13 +416,8 @@ struct Workplace : Bench {
         hand.type(QString::fromLatin1(drawn.size));
         typeDrawing(drawn);
     }
-    void endPicture(QDialog& dialog, const QString& name) {
-        const QString folder = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES");
-        if (!folder.isEmpty()) {
-            dialog.grab().save(folder + u'/' + name + QStringLiteral(".png"));
-        }
-    }
 
+    const Drawing& drawing;
     Hand hand;
     QElapsedTimer time;
 };
@@ -359,25 +435,40 @@ class TestTechnologist : public QObject {
     Q_OBJECT
 
 private slots:
-    void theShaftOfAGearbox() {
-        Workplace place;
+    void fiveSurfacesFromTheirDrawing_data() {
+        QTest::addColumn<int>("row");
+        const std::size_t count = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? drawings.size() : 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            QTest::newRow(drawings[i].key) << int(i);
+        }
+    }
+    void fiveSurfacesFromTheirDrawing() {
+        QFETCH(int, row);
+        const Drawing& drawing = drawings.at(std::size_t(row));
+        const std::vector<Drawn>& surfaces = drawing.surfaces;
+        Workplace place(drawing);
         Hand& hand = place.hand;
         const QTemporaryDir folder; // where he keeps his files
         place.settings.setLastFolder(folder.path());
         place.choose("newPlunge");
         place.endStage(QStringLiteral("1-new"));
 
-        hand.type(QString::fromLatin1(drawing[0].size));
-        place.typeDrawing(drawing[0]);
-        place.typeSteps();
+        if (drawing.internalGrinder) {
+            place.chooseInternalGrinder();
+        }
+        hand.type(QString::fromLatin1(surfaces[0].size));
+        place.typeDrawing(surfaces[0]);
+        if (!drawing.internalGrinder) {
+            place.typeSteps();
+        }
         hand.click(place.window->findChild<QLineEdit*>(QStringLiteral("/part/name")));
-        hand.type(QStringLiteral("Вал редуктора"));
+        hand.type(QString::fromUtf8(drawing.part));
         hand.key(Qt::Key_Return);
         place.endStage(QStringLiteral("2-first-drawing"));
         place.showPage(cyclePage);
         place.endStage(QStringLiteral("3-first-cycle"));
-        for (std::size_t i = 1; i < drawing.size(); ++i) {
-            place.addSurface(drawing[i]);
+        for (std::size_t i = 1; i < surfaces.size(); ++i) {
+            place.addSurface(surfaces[i]);
             place.endStage(QStringLiteral("4-drawing-%1").arg(i + 1));
             place.showPage(cyclePage);
             place.endStage(QStringLiteral("5-cycle-%1").arg(i + 1));
@@ -385,7 +476,7 @@ private slots:
         auto& tabs = place.window->findChild<PartStrip*>()->tabs();
         hand.clickAt(tabs, tabs.tabRect(0).center());
         place.inDialog([&] { place.choose("renameSurface"); },
-                       [&](QDialog&) { hand.type(QString::fromUtf8(drawing[0].name)); });
+                       [&](QDialog&) { hand.type(QString::fromUtf8(surfaces[0].name)); });
         place.endStage(QStringLiteral("6-all"));
         const Setup started = place.window->document().setup();
 
@@ -418,30 +509,31 @@ private slots:
         place.endStage(QStringLiteral("11-papers"));
         const QStringList papers = kept.entryList({QStringLiteral("*.pdf")});
         hand.check(papers.size() == 2, QStringLiteral("not exported"));
-        if (const QString to = qEnvironmentVariable("SPARKOUT_HOUR_PICTURES"); !to.isEmpty()) {
-            for (const QString& paper : papers) {
-                QFile::copy(folder.filePath(paper), to + u'/' + paper);
+        for (const QString& paper : papers) {
+            if (const QString path = place.keptAs(paper); !path.isEmpty()) {
+                QFile::copy(folder.filePath(paper), path);
             }
         }
         const double wall_s = double(place.time.elapsed()) / 1000;
-        qInfo("HOUR %d clicks, %d keys, %d turns of the wheel, %.1f s, searches %.1f s of it; "
+        qInfo("HOUR %s: %d clicks, %d keys, %d turns of the wheel, %.1f s, searches %.1f s of it; "
               "a person with the searches %.0f s",
-              hand.clicks(), hand.keys(), hand.turns(), wall_s, searched_s,
+              drawing.key, hand.clicks(), hand.keys(), hand.turns(), wall_s, searched_s,
               hand.person_s() + searched_s);
 
         QStringList faults;
+        const auto print = [](const QStringList& cells) {
+            qInfo().noquote() << QStringLiteral("HOUR | ") + cells.join(QStringLiteral(" | "));
+        };
+        print(heads());
         const std::vector<Offered> before = judgedAll(started), after = judgedAll(found);
-        for (std::size_t i = 0; i < drawing.size(); ++i) {
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const QString name = QString::fromStdString(found.surfaces[i].name);
-            qInfo().noquote() << QStringLiteral("HOUR %1: starting %2; optimum %3")
-                                     .arg(name, before[i].text(), after[i].text());
-            for (const Offered* offered : {&before[i], &after[i]}) {
+            for (const auto& [cycle, offered] :
+                 {std::pair("starting", &before[i]), std::pair("optimum", &after[i])}) {
+                const QString of = QString::fromLatin1(cycle);
+                print(QStringList{name, of} + offered->cells());
                 if (const QString fault = offered->fault(); !fault.isEmpty()) {
-                    faults += QStringLiteral("%1, %2: %3")
-                                  .arg(name,
-                                       offered == &before[i] ? QStringLiteral("starting")
-                                                             : QStringLiteral("optimum"),
-                                       fault);
+                    faults += QStringLiteral("%1, %2: %3").arg(name, of, fault);
                 }
             }
             if (after[i].time_s() > before[i].time_s()) {
@@ -453,9 +545,6 @@ private slots:
         QVERIFY(hand.clicks() <= mostClicks);
         QVERIFY(wall_s <= mostTime_s && hand.person_s() + searched_s <= mostTime_s);
     }
-
-private:
-    static constexpr int cyclePage = 5; ///< among those of the inputs
 };
 
 } // namespace sparkout::test_technologist

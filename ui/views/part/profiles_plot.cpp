@@ -475,7 +475,8 @@ QString ProfilesPlot::numbersOf(std::size_t cell, bool brief) const {
     const RoundnessZone* const zone = shownZone(p, m_circles);
     return numbers + u'\n'
            + (zone ? ProfilesText::roundness(*zone, brief,
-                                             m_series.knowsRoundness || isMeasured(cell))
+                                             m_series.knowsRoundness || isMeasured(cell),
+                                             m_series.knowsEccentricity || isMeasured(cell))
                    : tr("no circle is held"));
 }
 

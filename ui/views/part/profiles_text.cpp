@@ -61,16 +61,17 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
            + u'\n' + Names::ofMachine(tr("Radial runout %1 µm").arg(runout), series.knowsRunout);
 }
 
-QString ProfilesText::roundness(const RoundnessZone& zone, bool brief, bool knowsMachine) {
+QString ProfilesText::roundness(const RoundnessZone& zone, bool brief, bool knowsRoundness,
+                                bool knowsEccentricity) {
     const int decimals = brief ? 2 : 3;
-    const QString deviation = formUm(zone.deviation(), knowsMachine, decimals);
+    const QString deviation = formUm(zone.deviation(), knowsRoundness, decimals);
     const QString eccentricity =
-        Names::amountFixed(std::hypot(zone.x_mm, zone.y_mm) * units::umPerMm, decimals);
+        formUm(std::hypot(zone.x_mm, zone.y_mm), knowsEccentricity, decimals);
     if (brief) {
         return tr("RONt %1, e %2 µm").arg(deviation, eccentricity);
     }
     return Names::ofMachine(tr("RONt %1 µm, eccentricity %2 µm").arg(deviation, eccentricity),
-                            knowsMachine);
+                            knowsRoundness && knowsEccentricity);
 }
 
 QString ProfilesText::measured(const Profile& profile) {
@@ -385,19 +386,24 @@ ChartGrid SpectrumCharts::of(const ProfileSeries& series, const std::vector<int>
         chart.headings << name;
         chart.series = {barsOf(blank, ProfileLine::blank, -barShare / 2),
                         barsOf(spectra.back(), ProfileLine::profile, barShare / 2)};
-        chart.placeText = [name, blank, left = spectra.back()](double place) {
+        chart.placeText = [name, blank, left = spectra.back(),
+                           knowsEccentricity = series.knowsEccentricity,
+                           knowsRoundness = series.knowsRoundness](double place) {
             const auto n = std::lround(place);
             if (n < 1 || n >= std::ssize(left)) {
                 return QString();
             }
-            const auto um = [n](const std::vector<double>& spectrum) {
-                return Names::significant(spectrum[static_cast<std::size_t>(n)]);
+            const auto um = [n](const std::vector<double>& spectrum, bool isKnown) {
+                const double value_um = spectrum[static_cast<std::size_t>(n)];
+                return isKnown ? Names::significant(value_um)
+                               : Names::formAmount(value_um, isKnown, 3);
             };
             return (n == 1 ? tr("%1, %2 undulation per revolution (eccentricity): amplitude %3 µm, "
                                 "of the blank %4 µm")
                            : tr("%1, %2 undulations per revolution: amplitude %3 µm, of the blank "
                                 "%4 µm"))
-                .arg(name, QString::number(n), um(left), um(blank));
+                .arg(name, QString::number(n),
+                     um(left, n == 1 ? knowsEccentricity : knowsRoundness), um(blank, true));
         };
         names << name;
         grid.cells.push_back(std::move(chart));

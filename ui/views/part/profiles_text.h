@@ -23,8 +23,10 @@ public:
     static QString magnification(double value); ///< "×2000"
     /// Deviations of the diameter, runout, and whether the drawing is met, one per line.
     static QString numbers(const ProfileSeries& series, const Profile& profile, bool brief);
-    /// Roundness deviation and eccentricity about reference circles, one line.
-    static QString roundness(const RoundnessZone& zone, bool brief, bool knowsMachine);
+    /// Roundness deviation and eccentricity about reference circles, one line; each a lower bound
+    /// where the machine's own is not known.
+    static QString roundness(const RoundnessZone& zone, bool brief, bool knowsRoundness,
+                             bool knowsEccentricity);
     /// The sample at angle φ_k, and the diameter across it.
     static QString sample(const ProfileSeries& series, const Profile& profile, const QString& name,
                           int k, bool withBlank);

@@ -127,6 +127,12 @@ QString LimitChart::boundName(const BoundCurve& piece) {
     return {};
 }
 
+int LimitChart::keyOf(const BoundCurve& piece) {
+    return piece.bound == LimitBound::requirement ? static_cast<int>(piece.kind)
+           : piece.bound == LimitBound::feed      ? machineKey
+                                                  : accuracyKey;
+}
+
 QString LimitChart::boundAt(double stock_mm) const {
     const auto at = std::ranges::find_if(m_envelope, [stock_mm](const BoundCurve& piece) {
         return piece.points.front().stock_mm <= stock_mm
@@ -270,7 +276,7 @@ LineChart LimitChart::chart(bool isLogarithmic) const {
 
 void LimitChart::addCuts(LineChart& chart) const {
     ChartSeries actual{.key = actualKey,
-                       .name = tr("actual feed", "legend"),
+                       .name = tr("actual", "legend: feed"),
                        .kind = ChartSeries::Kind::path,
                        .colour = Drawn::actualFeed,
                        .pen = style::line(Drawn::actualFeed, {}),
@@ -311,6 +317,9 @@ void LimitChart::addLimits(LineChart& chart) const {
         }
     };
     const auto limitOf = [](const QString& name) { return tr("limit: %1, µm").arg(name); };
+    // All names together fit two lines of the legend; the cursors have the full ones.
+    add(programmedKey, m_programmed, tr("programmed"), tr("programmed feed, µm"),
+        Drawn::programmedFeed, linePen(3, Qt::DotLine));
     add(steplessKey, m_stepless, tr("stepless limit"), tr("stepless limit, µm"), {}, linePen(3));
     if (const ChartSeries* stepless = chart.find(steplessKey)) {
         const std::vector<XY> edge = stepless->points;
@@ -329,30 +338,23 @@ void LimitChart::addLimits(LineChart& chart) const {
         add(static_cast<int>(kinds[i]), limit(kinds[i]), name, limitOf(name),
             style::limitOfDepth(i), style::lineOfDepthLimit(i, {}));
     }
-    // Short names that fit two lines of the legend; the cursors have the full ones.
     add(accuracyKey, accuracy(AccuracyProof::proved), tr("accuracy"),
         limitOf(tr("accuracy, proved")), Tone::purple, linePen(2.6));
-    add(estimateKey, accuracy(AccuracyProof::estimate), tr("accuracy, estimate"),
+    add(estimateKey, accuracy(AccuracyProof::estimate), tr("≈ accuracy"),
         limitOf(tr("accuracy at steady feed, estimate")), Tone::purple,
         linePen(2.6, Qt::DashDotLine));
     add(publishedKey, m_published, tr("runout (22)"),
         limitOf(tr("runout in every pass, as published (22)")), Tone::orange,
         linePen(2.6, Qt::DashDotDotLine));
-    add(programmedKey, m_programmed, tr("programmed"), tr("programmed feed, µm"),
-        Drawn::programmedFeed, linePen(3, Qt::DotLine));
     add(machineKey, m_machineFeed, tr("machine's feed", "legend"),
         limitOf(tr("machine's maximum feed")), {}, linePen(1.2, Qt::DashDotLine));
 }
 
-/// Ribbons in the colours of the limits they belong to.
+/// Ribbons in the colours of the limits they belong to, hidden with them.
 void LimitChart::addEnvelope(LineChart& chart) const {
     for (const BoundCurve& piece : m_envelope) {
-        int key = static_cast<int>(piece.kind);
-        if (piece.bound != LimitBound::requirement) {
-            key = piece.bound == LimitBound::feed ? machineKey : accuracyKey;
-        }
-        chart.series.push_back({.key = envelopeKey,
-                                .name = tr("band: what binds"),
+        const int key = keyOf(piece);
+        chart.series.push_back({.key = key,
                                 .kind = ChartSeries::Kind::ribbon,
                                 .colour = chart.find(key)->colour,
                                 .pen = linePen(pieceWidth),
@@ -445,7 +447,7 @@ protected:
             places.addSpot(QRectF(at, at).adjusted(-markRoom, -markRoom, markRoom, markRoom));
         }
         for (const BoundCurve& piece : limits.envelope()) {
-            if (m_plot.shows(LimitChart::envelopeKey)) {
+            if (m_plot.shows(LimitChart::keyOf(piece))) {
                 drawName(*painter, piece, places);
             }
         }
@@ -587,7 +589,8 @@ LegendEntries ConstraintsPlot::legendEntries() const {
         const double top = up().range().upper;
         if (!isCycle && of.isLine()
             && std::ranges::all_of(of.points, [top](const XY& at) { return at.y > top; })) {
-            entry.text = tr("%1 ↑", "a curve above the plot").arg(entry.text);
+            entry.pen = Qt::NoPen;
+            entry.swatch = Swatch::arrow;
         }
     }
     return entries;

@@ -30,7 +30,6 @@ public:
         estimateKey,
         publishedKey,
         programmedKey,
-        envelopeKey,
         machineKey
     };
 
@@ -48,6 +47,7 @@ public:
     /// The binding one of the limits proved for every cut, by rising stock.
     [[nodiscard]] const std::vector<BoundCurve>& envelope() const { return m_envelope; }
     [[nodiscard]] static QString boundName(const BoundCurve& piece); ///< "burn", "machine's feed"
+    [[nodiscard]] static int keyOf(const BoundCurve& piece); ///< key of the limit it is part of
     /// The limit that binds at this stock; empty if there is none.
     [[nodiscard]] QString boundAt(double stock_mm) const;
     [[nodiscard]] const std::optional<ConstraintResult>& requirement() const {

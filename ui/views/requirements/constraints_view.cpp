@@ -81,7 +81,7 @@ ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
 }
 
 void ConstraintsView::build() {
-    setUpReadout(*values(), 3);
+    setUpReadout(*values(), 4);
     m_off->setWordWrap(true);
     m_off->setTextFormat(Qt::RichText);
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);

@@ -193,7 +193,8 @@ private slots:
         const QRect rect = view.plot()->cell(1, 0)->rect();
         auto* values = view.findChild<QLabel*>(QStringLiteral("feedsValues"));
         hover(view.plot(), rect.topLeft() + QPoint(rect.width() / 3, 20));
-        QVERIFY2(values->text().contains(QStringLiteral("NZ, E1, stage 1, double stroke 27")),
+        QVERIFY2(values->text().contains(
+                     QStringLiteral("NZ, working stroke (E1), stage 1, double stroke 27")),
                  qPrintable(values->text()));
         QVERIFY(values->text().contains(QStringLiteral("programmed 4.00")));
         QVERIFY(view.plot()->toolTip().contains(QStringLiteral("working stroke")));

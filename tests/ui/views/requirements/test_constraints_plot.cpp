@@ -9,6 +9,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/requirements/constraints_bench.h"
+#include "ui/chart/legend.h"
 #include "ui/chart/plot_tools.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/project_io.h"
@@ -124,10 +125,34 @@ private slots:
             QVERIFY(names[static_cast<int>(i)] != names[static_cast<int>(i) - 1]);
             QVERIFY(ribbons[i].colour != ribbons[i - 1].colour);
         }
-        const LegendEntries entries = shown.plot().legendEntries();
-        QVERIFY(std::ranges::any_of(entries, [](const LegendEntry& entry) {
-            return entry.text.contains(QStringLiteral("what binds"));
-        }));
+        for (const ChartSeries& ribbon : ribbons) { // hidden with the limit that it lies on
+            const ChartSeries* const limit = shown.plot().chart().find(ribbon.key);
+            QVERIFY(limit && limit->isLine() && limit->colour == ribbon.colour);
+        }
+    }
+
+    /// Its sample is an arrow, so that no entry becomes wider; a screen reader says where it is.
+    void aLimitAboveThePlotIsAnArrowInTheLegend() {
+        const Shown shown(run(limitedProject()));
+        constexpr int burn = static_cast<int>(ConstraintKind::burn);
+        const auto entry = [&] {
+            const LegendEntries entries = shown.plot().legendEntries();
+            return *std::ranges::find(entries, burn, &LegendEntry::key);
+        };
+        const double least = std::ranges::min(shown.points(burn), {}, &XY::y).y;
+        const auto* legend = shown.view.findChild<LegendStrip*>();
+        const auto isSaidToBeAbove = [&] {
+            return legend->accessibleDescription().contains(entry().text
+                                                            + QStringLiteral(" (above the plot)"));
+        };
+        shown.plot().up().setRange(least / 10, least * 10);
+        const LegendEntry within = entry();
+        QVERIFY(within.pen != Qt::NoPen);
+        QTRY_VERIFY(!isSaidToBeAbove());
+        shown.plot().up().setRange(least / 100, least / 10);
+        QVERIFY(entry().pen == Qt::NoPen && entry().swatch == Swatch::arrow);
+        QCOMPARE(entry().text, within.text);
+        QTRY_VERIFY(isSaidToBeAbove());
     }
 
     /// The examples of the three limits, with the programme and the feeds in mm/min.
@@ -151,14 +176,13 @@ private slots:
         QVERIFY(shown.points(LimitChart::estimateKey).at(0).y < lowest_um);
         QVERIFY(shown.points(LimitChart::publishedKey).size() > 10);
         QVERIFY(shown.points(LimitChart::programmedKey).size() >= 4);
-        QString names;
+        QStringList names;
         for (const LegendEntry& entry : plot.legendEntries()) {
-            names += entry.text + u'|';
+            names += entry.text;
         }
-        QVERIFY2(names.contains(QStringLiteral("accuracy|")), qPrintable(names));
-        QVERIFY(names.contains(QStringLiteral("accuracy, estimate")));
-        QVERIFY(names.contains(QStringLiteral("runout (22)")));
-        QVERIFY(names.contains(QStringLiteral("programmed")));
+        for (const char* name : {"accuracy", "≈ accuracy", "runout (22)", "programmed"}) {
+            QVERIFY2(names.contains(QString::fromUtf8(name)), qPrintable(names.join(u'|')));
+        }
         // 160 rev/min: 1 µm a revolution is 0.16 mm/min.
         const QCPAxis& perMinute = *plot.cell().axis(QCPAxis::atRight);
         QVERIFY(perMinute.tickLabels());
@@ -196,7 +220,7 @@ private slots:
         Shown shown(run(project));
         const QString words =
             QStringLiteral("Roughness is not limiting while it is not calibrated");
-        const QString name = QStringLiteral("roughness of the last cut");
+        const QString name = QStringLiteral("Ra, last cut");
         const auto named = [&] { // in the legend, in the table, under the mouse
             QString text;
             for (const LegendEntry& entry : shown.plot().legendEntries()) {

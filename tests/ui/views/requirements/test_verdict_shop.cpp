@@ -113,7 +113,7 @@ private slots:
         QVERIFY(energy.contains(QStringLiteral("∫P<sub>z</sub>·V<sub>k</sub> dt")));
         QVERIFY(energy.contains(QStringLiteral(" kJ for "))); // what it is made of
         const QString power = bench.cell("peak_power_w", 0, Qt::ToolTipRole);
-        QVERIFY(power.contains(QStringLiteral("RZ1, E1, stage 1, double stroke")));
+        QVERIFY(power.contains(QStringLiteral("RZ1, plunge-in (E1), stage 1, double stroke")));
         for (int row = 0; row < bench.model().rowCount(); ++row) {
             const QString tip =
                 bench.model().headerData(row, Qt::Vertical, Qt::ToolTipRole).toString();

@@ -53,7 +53,8 @@ private slots:
     void itHasTheNumbersOfTheMoment() {
         Sheet sheet(fixtures::traverseProject());
         sheet.toWorkingStroke();
-        QVERIFY(sheet.place().startsWith(QStringLiteral("RZ1, E3, stage 1, double stroke 4, ")));
+        QVERIFY(sheet.place().startsWith(
+            QStringLiteral("RZ1, working stroke (E3), stage 1, double stroke 4, ")));
         QCOMPARE(sheet.text(), sheet.expected(0));
         const QString before = sheet.text();
         sheet.cycle.step(CursorUnit::radius, -1);
