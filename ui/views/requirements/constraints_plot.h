@@ -104,7 +104,7 @@ public:
     /// limit.
     void setMarked(const std::optional<ConstraintResult>& requirement);
     void setMoment(std::optional<double> stock_mm); ///< stock at the moment of the cycle
-    void fitNext() { m_fitNext = true; } ///< the next run is of another part
+    void fitNext() { m_fitNext = true; }            ///< the next run is of another part
 
     [[nodiscard]] int group() const { return m_limits.group(); }
     [[nodiscard]] const LimitChart& limits() const { return m_limits; }
