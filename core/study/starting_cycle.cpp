@@ -595,7 +595,8 @@ Project withStartingEnds(Project project, const StartingEnds& ends) {
 }
 
 Cycle startingStages(const Project& project) {
-    return *bestOn(project, greatestCompliance(project)).cycle.project.cycle;
+    const auto best = bestOn(project, greatestCompliance(project));
+    return *best.cycle.project.cycle;
 }
 
 StartingCycle startingCycle(Project project, const StartingEnds& ends) {
