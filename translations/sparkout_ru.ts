@@ -21254,7 +21254,7 @@ s</source>
             <translation>оценивает преподаватель</translation>
         </message>
         <message>
-            <source>inputs were changed that are not free</source>
+            <source>locked inputs were changed</source>
             <translation>изменены закрытые исходные данные</translation>
         </message>
         <message>
@@ -21266,8 +21266,138 @@ s</source>
             <translation>цикл не завершается сам</translation>
         </message>
         <message>
-            <source>the run has no such figure</source>
-            <translation>в расчёте нет такого показателя</translation>
+            <source>the run does not give this quantity</source>
+            <translation>расчёт не даёт этого показателя</translation>
+        </message>
+    </context>
+    <context>
+        <name>Goal</name>
+        <message>
+            <source>Every requirement must be met for every stock, with a margin of at least {margin} %.</source>
+            <translation>Требуется выполнить все требования для всех припусков с запасом не менее {margin} %.</translation>
+        </message>
+        <message>
+            <source>Every requirement must be met, with a margin of at least {margin} %.</source>
+            <translation>Требуется выполнить все требования с запасом не менее {margin} %.</translation>
+        </message>
+        <message>
+            <source>Every requirement must be met for every stock.</source>
+            <translation>Требуется выполнить все требования для всех припусков.</translation>
+        </message>
+        <message>
+            <source>Every requirement must be met.</source>
+            <translation>Требуется выполнить все требования.</translation>
+        </message>
+        <message>
+            <source>The cycle must take at most {time} min.</source>
+            <translation>Время цикла — не более {time} мин.</translation>
+        </message>
+        <message>
+            <source>The cycle must take at most {percent} % more than the best one.</source>
+            <translation>Время цикла — не более чем на {percent} % больше наименьшего возможного.</translation>
+        </message>
+        <message>
+            <source>Reach {quantity} = {value} ± {tolerance}.</source>
+            <translation>Требуется получить: {quantity} = {value} ± {tolerance}.</translation>
+        </message>
+        <message>
+            <source>Determine from the run: {quantity}.</source>
+            <translation>Определите по расчёту: {quantity}.</translation>
+        </message>
+        <message>
+            <source>Predict before the run: {quantity}.</source>
+            <translation>Предскажите до расчёта: {quantity}.</translation>
+        </message>
+        <message>
+            <source>Draw before the run: {quantity}.</source>
+            <translation>Нарисуйте до расчёта: {quantity}.</translation>
+        </message>
+        <message>
+            <source>Predict before the run the order by {quantity}, the largest first.</source>
+            <translation>Предскажите до расчёта порядок по убыванию: {quantity}.</translation>
+        </message>
+        <message>
+            <source>One or several answers are right.</source>
+            <translation>Верны один или несколько ответов.</translation>
+        </message>
+        <message>
+            <source>Answer in words; the teacher marks the answer.</source>
+            <translation>Ответьте словами; ответ проверит преподаватель.</translation>
+        </message>
+        <message>
+            <source>stage {number}</source>
+            <translation>ступень {number}</translation>
+        </message>
+        <message>
+            <source>double stroke {number}</source>
+            <translation>двойной ход {number}</translation>
+        </message>
+        <message>
+            <source>revolution {number}</source>
+            <translation>оборот {number}</translation>
+        </message>
+        <message>
+            <source>required {value} ± {tolerance}</source>
+            <translation>требуется {value} ± {tolerance}</translation>
+        </message>
+        <message>
+            <source>answer {value}</source>
+            <translation>ответ {value}</translation>
+        </message>
+        <message>
+            <source>result {value}</source>
+            <translation>результат {value}</translation>
+        </message>
+        <message>
+            <source>tolerance ± {value}</source>
+            <translation>допуск ± {value}</translation>
+        </message>
+        <message>
+            <source>minimum margin {margin} %</source>
+            <translation>наименьший запас {margin} %</translation>
+        </message>
+        <message>
+            <source>cycle time {time} min, limit {limit} min</source>
+            <translation>время цикла {time} мин, предел {limit} мин</translation>
+        </message>
+        <message>
+            <source>cycle time {time} min</source>
+            <translation>время цикла {time} мин</translation>
+        </message>
+        <message>
+            <source>within the tolerance at {share} % of the places, required {least} %</source>
+            <translation>в допуске {share} % точек, требуется {least} %</translation>
+        </message>
+        <message>
+            <source>unfit for {share} % of stocks</source>
+            <translation>не выполнено для {share} % припусков</translation>
+        </message>
+        <message>
+            <source>not met: {names}</source>
+            <translation>не выполнено: {names}</translation>
+        </message>
+    </context>
+    <context>
+        <name>GoalText</name>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Zone</source>
+            <translation>Зона</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Сечение</translation>
         </message>
     </context>
     <context>
@@ -21717,85 +21847,6 @@ s</source>
         <message>
             <source>Figure %1 — %2</source>
             <translation>Рисунок %1 — %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>GoalWords</name>
-        <message>
-            <source>double stroke %1</source>
-            <translation>двойной ход %1</translation>
-        </message>
-        <message>
-            <source>revolution %1</source>
-            <translation>оборот %1</translation>
-        </message>
-        <message>
-            <source>stage %1</source>
-            <translation>ступень %1</translation>
-        </message>
-        <message>
-            <source>Double stroke</source>
-            <translation>Двойной ход</translation>
-        </message>
-        <message>
-            <source>Revolution</source>
-            <translation>Оборот</translation>
-        </message>
-        <message>
-            <source>Stage</source>
-            <translation>Ступень</translation>
-        </message>
-        <message>
-            <source>Zone or section</source>
-            <translation>Зона или сечение</translation>
-        </message>
-        <message>
-            <source>%1, with a margin of at least %2 %.</source>
-            <translation>%1 с запасом не менее %2 %.</translation>
-        </message>
-        <message>
-            <source>Every requirement must be met for every stock</source>
-            <translation>Требуется выполнить все требования для всех припусков</translation>
-        </message>
-        <message>
-            <source>Every requirement must be met</source>
-            <translation>Требуется выполнить все требования</translation>
-        </message>
-        <message>
-            <source>The cycle must take at most %1 min.</source>
-            <translation>Время цикла — не более %1 мин.</translation>
-        </message>
-        <message>
-            <source>The cycle must take at most %1 % more than the best one.</source>
-            <translation>Время цикла — не более чем на %1 % больше наименьшего возможного.</translation>
-        </message>
-        <message>
-            <source>The cycle must be quick.</source>
-            <translation>Требуется быстрый цикл.</translation>
-        </message>
-        <message>
-            <source>To be reached: %1 of %2 ± %3.</source>
-            <translation>Требуется получить: %1 %2 ± %3.</translation>
-        </message>
-        <message>
-            <source>To be predicted before the run: %1.</source>
-            <translation>Предскажите до расчёта: %1.</translation>
-        </message>
-        <message>
-            <source>To be drawn before the run: %1.</source>
-            <translation>Нарисуйте до расчёта: %1.</translation>
-        </message>
-        <message>
-            <source>To be predicted before the run: the order by %1, the largest first.</source>
-            <translation>Предскажите до расчёта порядок по убыванию: %1.</translation>
-        </message>
-        <message>
-            <source>One or several answers are right.</source>
-            <translation>Верны один или несколько ответов.</translation>
-        </message>
-        <message>
-            <source>The answer is in words; the teacher reads it.</source>
-            <translation>Ответ словами; его проверяет преподаватель.</translation>
         </message>
     </context>
     <context>
@@ -22406,10 +22457,6 @@ s</source>
     <context>
         <name>sparkout::CurveAnswer</name>
         <message>
-            <source>%1, %2</source>
-            <translation>%1, %2</translation>
-        </message>
-        <message>
             <source>Click into the plot for each point, or type the values below it.</source>
             <translation>Поставьте точки щелчками на графике или введите значения под ним.</translation>
         </message>
@@ -22623,106 +22670,6 @@ s</source>
     <context>
         <name>LessonText</name>
         <message>
-            <source>stage %1</source>
-            <translation>ступень %1</translation>
-        </message>
-        <message>
-            <source>double stroke %1</source>
-            <translation>двойной ход %1</translation>
-        </message>
-        <message>
-            <source>revolution %1</source>
-            <translation>оборот %1</translation>
-        </message>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>Double stroke</source>
-            <translation>Двойной ход</translation>
-        </message>
-        <message>
-            <source>Revolution</source>
-            <translation>Оборот</translation>
-        </message>
-        <message>
-            <source>Stage</source>
-            <translation>Ступень</translation>
-        </message>
-        <message>
-            <source>Zone</source>
-            <translation>Зона</translation>
-        </message>
-        <message>
-            <source>Section</source>
-            <translation>Сечение</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met, with a margin of at least %1 %.</source>
-            <translation>Требуется: выполнены все требования, запас не менее %1 %.</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met.</source>
-            <translation>Требуется: выполнены все требования.</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met for every stock, with a margin of at least %1 %.</source>
-            <translation>Требуется: все требования выполнены для всех припусков, запас не менее %1 %.</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met for every stock.</source>
-            <translation>Требуется: все требования выполнены для всех припусков.</translation>
-        </message>
-        <message>
-            <source>To pass: cycle time at most %1 min, every requirement is met.</source>
-            <translation>Требуется: время цикла не более %1 мин, выполнены все требования.</translation>
-        </message>
-        <message>
-            <source>To pass: cycle time at most %1 min.</source>
-            <translation>Требуется: время цикла не более %1 мин.</translation>
-        </message>
-        <message>
-            <source>To pass: %1 = %2 ± %3.</source>
-            <translation>Требуется: %1 — %2 ± %3.</translation>
-        </message>
-        <message>
-            <source>minimum margin %1 %</source>
-            <translation>наименьший запас %1 %</translation>
-        </message>
-        <message>
-            <source>cycle time %1 min</source>
-            <translation>время цикла %1 мин</translation>
-        </message>
-        <message>
-            <source>it is %1</source>
-            <translation>получено %1</translation>
-        </message>
-        <message>
-            <source>tolerance ± %1</source>
-            <translation>допуск ± %1</translation>
-        </message>
-        <message>
-            <source>within the tolerance at %1 % of the places, asked %2 %</source>
-            <translation>в допуске %1 % точек, требуется %2 %</translation>
-        </message>
-        <message>
-            <source>unfit for %1 % of stocks</source>
-            <translation>не выполнено для %1 % припусков</translation>
-        </message>
-        <message>
-            <source>not met: %1</source>
-            <translation>не выполнено: %1</translation>
-        </message>
-        <message>
-            <source>%1.</source>
-            <translation>%1.</translation>
-        </message>
-        <message>
-            <source>%1: %2.</source>
-            <translation>%1: %2.</translation>
-        </message>
-        <message>
             <source>open</source>
             <translation>не выполнен</translation>
         </message>
@@ -22741,10 +22688,6 @@ s</source>
         <message>
             <source>handed in</source>
             <translation>сдан</translation>
-        </message>
-        <message>
-            <source>prediction %1, result %2</source>
-            <translation>прогноз %1, результат %2</translation>
         </message>
     </context>
     <context>

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-/// Checks of a student's settings and answers by the engine. The texts are in words/lesson_words.h.
+/// Checks of a student's settings and answers by the engine. The texts are in words/goal_words.h.
 namespace sparkout {
 
 enum class Finding {

@@ -190,6 +190,10 @@ Lesson forStudents(Lesson lesson) {
     return lesson;
 }
 
+const Project& projectOf(const Lesson& lesson, std::size_t step) {
+    return lesson.base.surfaces[static_cast<std::size_t>(lesson.steps[step].surface) - 1].project;
+}
+
 Setup setupOf(const Lesson& lesson, std::size_t step) {
     Setup setup = lesson.base;
     const LessonStep& of = lesson.steps[step];

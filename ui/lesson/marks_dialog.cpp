@@ -19,6 +19,7 @@
 #include "ui/session/settings.h"
 #include "ui/table/value_table.h"
 #include "ui/text/file_error_text.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/texts.h"
 #include "words/lesson_words.h"
 
@@ -408,7 +409,8 @@ QString MarksDialog::detail(const GradedWork& work) const {
         QString line = tr("Step %1, points: %2 of %3. %4")
                            .arg(i + 1)
                            .arg(LessonText::points(step.points), LessonText::points(step.most),
-                                LessonText::found(m_marked.steps[i].goal, step.result));
+                                GoalText::found(m_marked.steps[i].goal, step.result,
+                                                projectOf(m_marked, i), true));
         if (step.hints > 0) {
             line += u' ' + tr("Hints: −%1.").arg(LessonText::points(step.hints));
         }

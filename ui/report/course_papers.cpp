@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/course_papers.h"
 
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/report/paper_writer.h"
 #include "ui/report/student_view.h"
 #include "ui/report/worksheet.h"
 #include "ui/results/run_table.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -105,7 +106,7 @@ private:
                 prices << printedNumber(hint.price);
             }
             table.rows.push_back(
-                {QString::number(i + 1), GoalWords::asked(step.goal, projectOf(step)),
+                {QString::number(i + 1), GoalText::asked(step.goal, projectOf(m_lesson, i)),
                  printedNumber(step.points),
                  prices.isEmpty() ? QStringLiteral("–") : prices.join(QStringLiteral("; "))});
         }
@@ -113,10 +114,6 @@ private:
                               QStringLiteral("–")});
         table.lastIsSum = true;
         m_paper.table(std::move(table), tr("Points of the steps"));
-    }
-
-    [[nodiscard]] const Project& projectOf(const LessonStep& step) const {
-        return m_lesson.base.surfaces[static_cast<std::size_t>(step.surface) - 1].project;
     }
 
     void writeOrder() {

@@ -4,7 +4,7 @@
 #include "core/text.h"
 #include "core/version.h"
 #include "ui/report/cell_text.h"
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/session/kept_texts.h"
 
 #include <QFileInfo>

@@ -267,6 +267,11 @@ QString harmlessText(QString text) {
     return text;
 }
 
+QString unbroken(QString text) {
+    return text.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))
+        .replace(QStringLiteral(" ± "), QStringLiteral("\u00a0±\u00a0"));
+}
+
 QString withIndices(const QString& text) {
     static const QRegularExpression index(QStringLiteral("_(?:\\(([^)]*)\\)|(\\w+))"),
                                           QRegularExpression::UseUnicodePropertiesOption);
