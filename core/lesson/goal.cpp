@@ -11,11 +11,10 @@ namespace sparkout {
 template <>
 const StructInfo& tableOf<Bilingual>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Bilingual, ru, .label = SPARKOUT_NOOP("Input", "In Russian"), .sparse = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "With the tags of the help's pages that fetch nothing; formulas stand "
-                           "in `<p class=\"formula\">`.")),
+        SPARKOUT_FIELD(
+            Bilingual, ru, .label = SPARKOUT_NOOP("Input", "In Russian"), .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "With the tags of the help's pages that fetch nothing; "
+                                           "formulas stand in `<p class=\"formula\">`.")),
         SPARKOUT_FIELD(
             Bilingual, en, .label = SPARKOUT_NOOP("Input", "In English"), .sparse = true,
             .hint = SPARKOUT_NOOP("Input",
@@ -92,11 +91,10 @@ const StructInfo& tableOf<RequirementsGoal>() {
                 "Input", "The relative margin that the worst requirement is to have left.")),
         SPARKOUT_FIELD(RequirementsGoal, every_stock,
                        .label = SPARKOUT_NOOP("Input", "For every stock"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "Under gauge control the requirements are to hold for "
-                                             "every stock within one infeed of the last stage, as "
-                                             "the verdict judges it; else for the part that is "
-                                             "run.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Under gauge control the requirements are to hold for every "
+                                    "stock within one infeed of the last stage, as the verdict "
+                                    "judges it; else for the part that is run.")),
     };
     static const StructInfo info =
         makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements hold"), rows);
@@ -170,12 +168,12 @@ const StructInfo& tableOf<CurvePrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(CurvePrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(CurvePrediction, along, .label = SPARKOUT_NOOP("Input", "Along")),
-        SPARKOUT_FIELD(CurvePrediction, at, .label = SPARKOUT_NOOP("Input", "At"),
-                       .hard = {0, 10000000}, .required = conditions::always, .whole = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "Where the drawn curve is compared: double strokes, revolutions and "
-                           "stages from 1, sections from 0, zones as 0, 1, 2.")),
+        SPARKOUT_FIELD(
+            CurvePrediction, at, .label = SPARKOUT_NOOP("Input", "At"), .hard = {0, 10000000},
+            .required = conditions::always, .whole = true,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Where the drawn curve is compared: double strokes, revolutions "
+                                  "and stages from 1, sections from 0, zones as 0, 1, 2.")),
         SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
@@ -199,11 +197,11 @@ template <>
 const StructInfo& tableOf<OrderPrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(OrderPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
-        SPARKOUT_FIELD(OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Alike within"),
-                       .hard = {0, largestNumber},
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Places whose values are no further apart may stand in either "
-                                    "order.")),
+        SPARKOUT_FIELD(
+            OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Alike within"),
+            .hard = {0, largestNumber},
+            .hint = SPARKOUT_NOOP(
+                "Input", "Places whose values are no further apart may stand in either order.")),
     };
     static const StructInfo info =
         makeTable<OrderPrediction>(SPARKOUT_NOOP("Struct", "Order predicted"), rows);

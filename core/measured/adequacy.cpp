@@ -365,9 +365,8 @@ constexpr Output<InsideShare> insideRows[] = {
     {{.key = "of", .hint = "measured parts"}, [](const InsideShare& s) { return s.count; }},
     {{.key = "interval_95",
       .label = SPARKOUT_NOOP("Output", "Share inside"),
-      .hint = SPARKOUT_NOOP("Output",
-                            "Measured parts within the predicted range, as a share with the 95 % "
-                            "bounds of Clopper and Pearson")},
+      .hint = SPARKOUT_NOOP("Output", "Measured parts within the predicted range, as a share with "
+                                      "the 95 % bounds of Clopper and Pearson")},
      [](const InsideShare& s) { return std::optional(s.interval); }},
 };
 

@@ -243,10 +243,9 @@ const StructInfo& tableOf<Factor>() {
         SPARKOUT_FIELD(Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
                        .page = Page::batch, .usual = true,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "Values of measured blanks, each as frequent as any "
-                                             "other; `sparkout-cli batch --measured` reads them "
-                                             "from a CSV.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Values of measured blanks, each as frequent as any other; "
+                                    "`sparkout-cli batch --measured` reads them from a CSV.")),
         SPARKOUT_FIELD(Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
                        .page = Page::batch, .usual = true,
@@ -293,14 +292,13 @@ const StructInfo& tableOf<Factors>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Traverse: the wheel's width, from which the widths of "
                                            "cut follow. Plunge: the ground length.")),
-        SPARKOUT_FIELD(Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .page = Page::batch,
-                       .hint = SPARKOUT_NOOP("Input", "Factor on the roundness deviation and "
-                                                      "runout that the machine prints, of all "
-                                                      "zones or sections; without a form on its "
-                                                      "geometric runout."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .page = Page::batch,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Factor on the roundness deviation and runout that the machine prints, of "
+                         "all zones or sections; without a form on its geometric runout."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Factors, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
@@ -322,11 +320,11 @@ const StructInfo& tableOf<Factors>() {
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
             .symbol = "t", .unit = "h", .nullMeaning = SPARKOUT_NOOP("Input", "it does not drift"),
             .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "It multiplies the machine's gauge drift. Growing part by part "
-                                  "from 0: the last part is ground the time of a piece later for "
-                                  "each part before it; the parts between dressings are those from "
-                                  "one setting of the gauge to the next."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "It multiplies the machine's gauge drift. Growing part by part from 0: the last "
+                "part is ground the time of a piece later for each part before it; the parts "
+                "between dressings are those from one setting of the gauge to the next."),
             .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Factors, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
@@ -402,9 +400,9 @@ const StructInfo& tableOf<Batch>() {
             Batch, most_outside_share, .label = SPARKOUT_NOOP("Input", "Maximum share outside"),
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "every part must be good"),
             .page = Page::batch, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Share of the parts that may fail before the cycle is "
-                                           "unfit; when more of them are expected to be out of "
-                                           "tolerance, it is conditionally fit."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Share of the parts that may fail before the cycle is unfit; when more of "
+                         "them are expected to be out of tolerance, it is conditionally fit."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, measuring_uncertainty_um,
@@ -415,33 +413,33 @@ const StructInfo& tableOf<Batch>() {
                                   "It counts as scatter of the prediction, and it widens the "
                                   "interval of the bias, for it may be the same for all parts."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias"),
-                       .unit = "µm", .hard = {1e-3, 1e5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "a tenth of the tolerance"),
-                       .sparse = true, .page = Page::batch,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Up to this difference the measured mean and the predicted one "
-                                    "count as the same. Where the drawing has no tolerance either, "
-                                    "it is half the predicted standard deviation."),
-                       .source = "MODEL-8"),
         SPARKOUT_FIELD(
-            Batch, form_measuring_uncertainty_um,
-            .label = SPARKOUT_NOOP("Input", "Measuring uncertainty of form"), .symbol = "u_f",
-            .unit = "µm", .hard = {0, 1000}, .soft = {0, 5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "as of the size"), .sparse = true,
-            .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Standard uncertainty of one measured roundness, runout "
-                                           "or cylindricity of a finished part."),
+            Batch, bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias"), .unit = "µm",
+            .hard = {1e-3, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "a tenth of the tolerance"),
+            .sparse = true, .page = Page::batch,
+            .hint =
+                SPARKOUT_NOOP("Input", "Up to this difference the measured mean and the predicted "
+                                       "one count as the same. Where the drawing has no tolerance "
+                                       "either, it is half the predicted standard deviation."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(Batch, form_measuring_uncertainty_um,
+                       .label = SPARKOUT_NOOP("Input", "Measuring uncertainty of form"),
+                       .symbol = "u_f", .unit = "µm", .hard = {0, 1000}, .soft = {0, 5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "as of the size"), .sparse = true,
+                       .page = Page::batch,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Standard uncertainty of one measured roundness, "
+                                                  "runout or cylindricity of a finished part."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, form_bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias of form"),
             .unit = "µm", .hard = {1e-3, 1e5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "as of the size, otherwise a tenth of the "
-                                                  "tolerance"),
+            .nullMeaning =
+                SPARKOUT_NOOP("Input", "as of the size, otherwise a tenth of the tolerance"),
             .sparse = true, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Up to this difference the means of measured and "
-                                           "predicted roundness, runout or cylindricity count as "
-                                           "the same."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Up to this difference the means of measured and predicted "
+                                       "roundness, runout or cylindricity count as the same."),
             .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);

@@ -71,10 +71,9 @@ Field unfedSteps() {
             .nullMeaning = SPARKOUT_NOOP("Input", "none"),
             .whole = true,
             .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Double strokes or revolutions of one more stage that feeds "
-                                  "nothing and takes the last stock: a list, or from, to and step; "
-                                  "0 is no such stage."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Double strokes or revolutions of one more stage that feeds nothing and "
+                         "takes the last stock: a list, or from, to and step; 0 is no such stage."),
             .source = "MODEL-7"});
 }
 
@@ -117,10 +116,10 @@ Field objective() {
     return SPARKOUT_FIELD(
         Optimisation, objective, .label = SPARKOUT_NOOP("Input", "Objective"), .page = Page::search,
         .usual = true,
-        .hint = SPARKOUT_NOOP(
-            "Input", "Cost and wheel life are searched over the parts from one dressing "
-                     "to the next: the cycle holds for all of them, with the wheel as "
-                     "the part's wear makes it. The minimum cost needs the cost of a part."),
+        .hint = SPARKOUT_NOOP("Input",
+                              "Cost and wheel life are searched over the parts from one dressing "
+                              "to the next: the cycle holds for all of them, with the wheel as the "
+                              "part's wear makes it. The minimum cost needs the cost of a part."),
         .source = "GILBERT1950");
 }
 
@@ -143,10 +142,10 @@ Field ratioDistance() {
         .label = SPARKOUT_NOOP("Input", "Rotation ratio off a whole number"),
         .hard = {0, 0.45, true}, .nullMeaning = SPARKOUT_NOOP("Input", "any rotation ratio"),
         .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input", "Minimum distance of n_k/n, the revolutions of the wheel "
-                                       "for one of the work, from a whole number: the search "
-                                       "leaves out work speeds that are nearer to one, at which "
-                                       "waves of the wheel print onto one another."),
+        .hint = SPARKOUT_NOOP(
+            "Input", "Minimum distance of n_k/n, the revolutions of the wheel for one of the work, "
+                     "from a whole number: the search leaves out work speeds that are nearer to "
+                     "one, at which waves of the wheel print onto one another."),
         .source = "BADGER2010");
 }
 

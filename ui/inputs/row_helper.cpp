@@ -96,10 +96,9 @@ const Offer searchOffer{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
     QT_TRANSLATE_NOOP(
         "sparkout::OfferHelper",
-        "Levels of each feed about the current cycle in steps of the machine, stocks, "
-        "spark-out, and the usual minimum overlap and steps of a stage where none "
-        "are given; the answer is good for the batch, without one for every "
-        "stock")};
+        "Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, "
+        "and the usual minimum overlap and steps of a stage where none are given; the answer is "
+        "good for the batch, without one for every stock")};
 
 std::optional<double> estimatedMass_kg(const Project& project) {
     return conditions::external(project, &*project.part) ? steelMass_kg(project.part->shaft)
@@ -116,9 +115,9 @@ const Offer estimatedMass{
     },
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Mass from the steps of the shaft")},
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "The mass by the steps of the shaft"),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An "
-                      "estimate."),
+    QT_TRANSLATE_NOOP(
+        "sparkout::OfferHelper",
+        "By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An estimate."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take the estimate"),
     QT_TRANSLATE_NOOP(
         "sparkout::OfferHelper",

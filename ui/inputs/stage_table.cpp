@@ -99,9 +99,8 @@ void StageTable::retranslate() {
     m_start->setText(tr("Starting cycle"));
     m_start->setToolTip(
         QStringLiteral("<p>%1</p>")
-            .arg(tr(
-                "Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin "
-                "with for this part, wheel and machine; an estimate")));
+            .arg(tr("Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would "
+                    "begin with for this part, wheel and machine; an estimate")));
     m_start->setAccessibleDescription(m_start->toolTip());
     m_follows->setAccessibleName(tr("Whether the cycle follows the drawing"));
     showFollows();
@@ -142,10 +141,9 @@ QString StageTable::roughDepthText() const {
     }
     const QString bound =
         QCoreApplication::translate("StartingCycle", roughBoundText(start->bound));
-    return (start->isExceeded
-                ? tr("Its rough depth of cut, %1, is the machine's minimum and more than %2 "
-                     "allows; usual: %3.")
-                : tr("Its rough depth of cut, %1, is limited by %2; usual: %3."))
+    return (start->isExceeded ? tr("Its rough depth of cut, %1, is the machine's minimum and more "
+                                   "than %2 allows; usual: %3.")
+                              : tr("Its rough depth of cut, %1, is limited by %2; usual: %3."))
         .arg(depth, bound, usual);
 }
 

@@ -161,10 +161,9 @@ QWidget* WheelPage::buildRoughness() {
 QWidget* WheelPage::buildStrengths() {
     auto* box = new QGroupBox(tr("Strengths of the wheel"), this);
     auto* column = new QVBoxLayout(box);
-    column->addWidget(copyableLabel(
-        box,
-        tr("One reading at which the wheel just began to shed its grains gives a common factor of "
-           "the four strengths of grain and bond.")));
+    column->addWidget(
+        copyableLabel(box, tr("One reading at which the wheel just began to shed its grains gives "
+                              "a common factor of the four strengths of grain and bond.")));
     m_reading->setObjectName(QStringLiteral("limitReading"));
     m_reading->addItem(tr("normal force"), static_cast<int>(LimitReading::normal_force));
     m_reading->addItem(tr("power of the wheel, without idle power"),

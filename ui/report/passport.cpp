@@ -187,9 +187,8 @@ std::vector<Block> PassportMeasured::heldOut(const Project& project) {
         blocks.emplace_back(Paragraph{sentence});
     }
     if (!blocks.empty()) {
-        blocks.emplace_back(
-            Paragraph{tr("The range in parentheses is that of the calibrated inputs at the ends of "
-                         "their 95 % intervals.")});
+        blocks.emplace_back(Paragraph{tr("The range in parentheses is that of the calibrated "
+                                         "inputs at the ends of their 95 % intervals.")});
     }
     return blocks;
 }

@@ -201,11 +201,10 @@ QString ComplianceView::remark() const {
             return tr("Stages end by the position of the wheel head: the gauge has no effect, "
                       "wherever it is placed.");
         }
-        return project.operation->travels
-                   ? tr("In traverse grinding the gauge is in the middle of %1. The curves show "
-                        "its effect in another zone.")
-                         .arg(Names::zone(Zone::nz))
-                   : QString();
+        return project.operation->travels ? tr("In traverse grinding the gauge is in the middle of "
+                                               "%1. The curves show its effect in another zone.")
+                                                .arg(Names::zone(Zone::nz))
+                                          : QString();
     case ComplianceContent::coupling: break;
     }
     switch (couplingOf(project)) {

@@ -147,9 +147,8 @@ QString OptimiseText::notes(const SearchOutcome& outcome) {
 
 QString OptimiseText::offer(SearchObjective objective) {
     return objective == SearchObjective::cost
-               ? tr(
-                   "“Search” finds the cycle of the grid with the minimum cost of a part, together "
-                   "with the parts between dressings: it is fit for all of them.")
+               ? tr("“Search” finds the cycle of the grid with the minimum cost of a part, "
+                    "together with the parts between dressings: it is fit for all of them.")
                : tr("“Search” finds the cycle of the grid that is fit for the most parts from one "
                     "dressing to the next, the quickest of these.");
 }
@@ -192,10 +191,9 @@ QString OptimiseText::found(const FoundCycle& found, const Project& searched) {
 }
 
 QString OptimiseText::cycleHint(Operation operation) {
-    return operation->axial()
-               ? tr("Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock "
-                    "per side, mm")
-               : tr("Of every stage: radial feed, mm/min; stock per side, mm");
+    return operation->axial() ? tr("Of every stage: radial feed, mm per double stroke; axial feed, "
+                                   "mm/min; stock per side, mm")
+                              : tr("Of every stage: radial feed, mm/min; stock per side, mm");
 }
 
 } // namespace sparkout

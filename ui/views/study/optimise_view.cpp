@@ -536,12 +536,11 @@ QString OptimiseView::hint() const {
                                  : QString();
     }
     if (&front() == m_margins) {
-        return !isFound() ? QString()
-               : m_margins->hasFront()
-                   ? tr("A click or the arrow keys choose a cycle, “Apply this cycle” or Enter "
-                        "applies it.")
-                         + u' ' + OptimiseText::front(*search())
-                   : OptimiseText::front(*search());
+        return !isFound()              ? QString()
+               : m_margins->hasFront() ? tr("A click or the arrow keys choose a cycle, “Apply this "
+                                            "cycle” or Enter applies it.")
+                                             + u' ' + OptimiseText::front(*search())
+                                       : OptimiseText::front(*search());
     }
     return &front() == m_curves
                ? tr("Point at a curve to read its values beside those of your cycle.")
@@ -560,10 +559,10 @@ QString OptimiseView::keptText() const {
 
 QString OptimiseView::remark() const {
     if (!isGiven()) {
-        return tr("This project does not say what may be changed. A search takes every listed feed "
-                  "and stock of the stages and finds the quickest cycle that meets every "
-                  "requirement. Choose them on the page Search of the inputs, or start with usual "
-                  "ones.");
+        return tr(
+            "This project does not say what may be changed. A search takes every listed feed and "
+            "stock of the stages and finds the quickest cycle that meets every requirement. Choose "
+            "them on the page Search of the inputs, or start with usual ones.");
     }
     if (showsGrid()) {
         return m_gridBar->remark();
@@ -655,12 +654,11 @@ void OptimiseView::nameButtons() {
     tellButton(*m_refine, tr("Between levels"),
                tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
-    tellButton(
-        *m_add, tr("Add a typical search"),
-        tr("Levels of each feed about the current cycle in steps of the machine, stocks, "
-           "spark-out, and the usual minimum overlap and steps of a stage where none are given; "
-           "the answer is good for the batch, without one for every stock; can be undone and "
-           "changed on the pages Search and Cycle"));
+    tellButton(*m_add, tr("Add a typical search"),
+               tr("Levels of each feed about the current cycle in steps of the machine, stocks, "
+                  "spark-out, and the usual minimum overlap and steps of a stage where none are "
+                  "given; the answer is good for the batch, without one for every stock; can be "
+                  "undone and changed on the pages Search and Cycle"));
 }
 
 } // namespace sparkout

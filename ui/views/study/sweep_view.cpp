@@ -430,10 +430,9 @@ QString SweepView::remark() const {
         return m_phaseBar->remark();
     }
     if (!good()->result.project.sweep) {
-        return tr(
-            "What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input "
-            "above, and see every result over a range of it: one input gives curves, two give "
-            "a map. Or start with the wheel's dullness.");
+        return tr("What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input "
+                  "above, and see every result over a range of it: one input gives curves, two "
+                  "give a map. Or start with the wheel's dullness.");
     }
     if (!m_refused.empty()) {
         return tr("The sweep cannot be run:") + QLatin1Char('\n') + Names::refusal(m_refused, 2);
