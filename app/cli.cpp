@@ -17,7 +17,7 @@
 #include "core/measured/adequacy.h"
 #include "core/printable.h"
 #include "core/project/batch.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/setup/setup_run.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"

@@ -4,7 +4,7 @@
 #include "core/catalogue/catalogue_check.h"
 #include "core/file/project_file.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/conditions.h"
 #include "core/text.h"
 #include "core/units.h"

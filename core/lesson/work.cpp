@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/work.h"
 
-#include "core/file/cell_reader.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
+#include "core/file/text_table.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_json.h"
 #include "core/printable.h"

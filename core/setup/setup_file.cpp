@@ -3,7 +3,7 @@
 
 #include "core/file/project_json.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/setup/setup.h"
 #include "core/setup/split_project.h"
 

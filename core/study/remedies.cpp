@@ -6,7 +6,7 @@
 #include "core/phases/sampled_phases.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/statistics/intervals.h"
 #include "core/study/remedy_trials.h"
 #include "core/units.h"

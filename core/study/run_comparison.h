@@ -4,8 +4,8 @@
 #include "core/issue.h"
 #include "core/project/member.h"
 #include "core/project/project.h"
-#include "core/quality/light.h"
 #include "core/quality/run_summary.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/feed_series.h"
 
 #include <cstddef>

@@ -2,11 +2,11 @@
 #include "ui/results/result_tables.h"
 
 #include "core/project/machine.h"
-#include "core/quality/light.h"
 #include "core/quality/ranges.h"
 #include "core/quality/result_json.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 #include "ui/results/margin_model.h"
 #include "ui/results/verdict_table.h"

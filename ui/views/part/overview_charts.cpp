@@ -4,7 +4,7 @@
 #include "core/process/system_compliance.h"
 #include "core/project/part.h"
 #include "core/quality/diameter_shares.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 #include "ui/chart/quantity_colour.h"
 #include "ui/measured/measured_boxes.h"

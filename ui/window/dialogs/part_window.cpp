@@ -2,8 +2,8 @@
 #include "ui/window/dialogs/part_window.h"
 
 #include "core/project/part.h"
-#include "core/quality/light.h"
 #include "core/quality/requirement.h"
+#include "core/quality/verdict.h"
 #include "core/study/run_comparison.h"
 #include "core/study/search_edits.h"
 #include "core/units.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
 
 #include "core/printable.h"
 #include "core/sha256.h"
