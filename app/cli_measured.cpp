@@ -157,7 +157,7 @@ std::string fitText(const Project& project, const Identification& found,
         for (const std::size_t i : one.parameters) {
             names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
         }
-        text += (one.isProduct ? "told only as a product: " : "cannot be told: ") + names + "; "
+        text += (one.isProduct ? "determined only as a product: " : "undetermined: ") + names + "; "
                 + wordsOf(one.advice).text + '\n';
     }
     return text;

@@ -182,7 +182,7 @@ int runNewCommand(const manual::Given& given) {
     }
     std::error_code ignored;
     if (!given.has("--force") && std::filesystem::exists(pathFromUtf8(given.text("-o")), ignored)) {
-        print(stderr, printable(given.text("-o")) + ": is there; --force replaces it\n");
+        print(stderr, printable(given.text("-o")) + ": exists; --force replaces it\n");
         return refused;
     }
     const StartingAnswer answer = drawnProject(*drawing, *entries);

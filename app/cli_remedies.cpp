@@ -22,7 +22,7 @@ namespace {
 std::string stateText(const SimulationResult& result, const RemedyResult& found,
                       const std::vector<ConstraintResult>& constraints) {
     if (found.goal == RemedyGoal::none) {
-        return "all requirements are met, with room\n";
+        return "all requirements are met with a sufficient margin\n";
     }
     if (result.status != RunStatus::completed) {
         return "the cycle does not end by itself\n";

@@ -119,7 +119,7 @@ std::string shopText(const ShopNumbers& shop, bool revolutions) {
     for (const Output<ShopNumbers>& row : shopOutputs()) {
         if (!row.detail) {
             text += label(nameOf(row)) + valueText(row.of(shop))
-                    + (row.bandOf(shop) == BandSide::above ? ", near a whole number: WAVINESS" : "")
+                    + (row.bandOf(shop) == BandSide::above ? ", near a whole number: waviness" : "")
                     + '\n';
         }
     }

@@ -170,7 +170,7 @@ bool readWish(const manual::Given& given, GradeWish& wish) {
     ReadBestTable table = readBestTable(*content);
     if (table.faultLine > 0) {
         print(stderr, printable(given.text("--answers")) + ':' + std::to_string(table.faultLine)
-                          + ": this is no line of a table of best answers\n");
+                          + ": this is not a line of a table of best answers\n");
         return false;
     }
     wish.best = std::move(table.rows);
@@ -267,7 +267,7 @@ std::string gradesText(const Lesson& lesson, const std::vector<GradedWork>& work
 }
 
 int sayThere(const std::string& file) {
-    print(stderr, printable(file) + ": there already; --force replaces it\n");
+    print(stderr, printable(file) + ": exists; --force replaces it\n");
     return refused;
 }
 

@@ -94,7 +94,7 @@ QString outputFault(const Options& options) {
     }
     const QString target = QFileInfo(output).canonicalFilePath();
     return !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()
-               ? QStringLiteral("the output would take the place of the project")
+               ? QStringLiteral("the output would replace the project")
                : QString();
 }
 

@@ -1875,7 +1875,7 @@
             <translation>Добавлено сценариев</translation>
         </message>
         <message>
-            <source>Time of the quickest for the part alone</source>
+            <source>Time of the quickest cycle for the part alone</source>
             <translation>Время самого быстрого цикла для одной номинальной детали</translation>
         </message>
         <message>
@@ -4040,7 +4040,7 @@ With another name both versions stay as they are.</source>
             <translation>Ни одна из подач не растёт от ступени к ступени.</translation>
         </message>
         <message>
-            <source>Must hold for</source>
+            <source>Must be fit for</source>
             <translation>Годен для</translation>
         </message>
         <message>
@@ -4436,7 +4436,7 @@ With another name both versions stay as they are.</source>
             <translation>Подача на реверсах</translation>
         </message>
         <message>
-            <source>Where the radial feed of a double stroke is fed: at the entry reversal, at the exit reversal, or half of it at each.</source>
+            <source>Reversal at which the infeed of a double stroke takes place: at the entry, at the exit, or half of it at each.</source>
             <translation>Где подаётся радиальная подача двойного хода: у входа, у выхода или пополам.</translation>
         </message>
         <message>
@@ -4496,7 +4496,7 @@ With another name both versions stay as they are.</source>
             <translation>обычная ступень</translation>
         </message>
         <message>
-            <source>The last stage may feed nothing: a number of double strokes or revolutions, or until size.</source>
+            <source>The last stage may have no feed: a number of double strokes or revolutions, or until size.</source>
             <translation>Последняя ступень может быть без подачи: заданное число двойных ходов или оборотов либо до размера.</translation>
         </message>
         <message>
@@ -5080,7 +5080,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольшая скорость круга</translation>
         </message>
         <message>
-            <source>Peripheral speed up to which the machine drives a wheel; a starting cycle takes it where the wheel stands it.</source>
+            <source>Peripheral speed up to which the machine drives a wheel; a starting cycle uses it if the wheel allows it.</source>
             <translation>Окружная скорость, до которой станок вращает круг; исходный цикл берёт её, если круг её допускает.</translation>
         </message>
         <message>
@@ -5116,7 +5116,7 @@ With another name both versions stay as they are.</source>
             <translation>дрейфа нет</translation>
         </message>
         <message>
-            <source>It multiplies the machine's gauge drift. Growing part by part from 0: the last part is ground the time of a piece later for each part before it; the parts between dressings are those from one setting of the gauge to the next.</source>
+            <source>It multiplies the machine&apos;s gauge drift. Growing from 0, it rises by the piece time from part to part; the parts between dressings are those from one setting of the gauge to the next.</source>
             <translation>Умножает дрейф прибора станка. Растёт от детали к детали с 0: каждая деталь шлифуется на штучное время позже предыдущей; деталей между правками — столько, сколько от настройки прибора до следующей.</translation>
         </message>
         <message>
@@ -5268,7 +5268,7 @@ With another name both versions stay as they are.</source>
             <translation>Положение</translation>
         </message>
         <message>
-            <source>Name to search by.</source>
+            <source>Name used in searches.</source>
             <translation>Название для поиска.</translation>
         </message>
         <message>
@@ -5284,7 +5284,7 @@ With another name both versions stay as they are.</source>
             <translation>Примечание по-русски</translation>
         </message>
         <message>
-            <source>The same for the Russian window.</source>
+            <source>The note in the Russian window.</source>
             <translation>То же для русского окна.</translation>
         </message>
         <message>
@@ -5292,7 +5292,7 @@ With another name both versions stay as they are.</source>
             <translation>Источники</translation>
         </message>
         <message>
-            <source>Where each number comes from.</source>
+            <source>Source of each number.</source>
             <translation>Откуда взято каждое число.</translation>
         </message>
         <message>
@@ -5636,7 +5636,7 @@ With another name both versions stay as they are.</source>
             <translation>Выхаживание в конце</translation>
         </message>
         <message>
-            <source>Double strokes or revolutions of one more stage that feeds nothing and takes the last stock: a list, or from, to and step; 0 is no such stage.</source>
+            <source>Double strokes or revolutions of one more stage without feed that removes the last stock: a list, or from, to and step; 0: no such stage.</source>
             <translation>Двойные ходы или обороты ещё одной ступени без подачи, снимающей последний припуск: список либо «от», «до» и шаг; 0 — без неё.</translation>
         </message>
         <message>
@@ -5684,7 +5684,7 @@ With another name both versions stay as they are.</source>
             <translation>годной должна быть каждая деталь</translation>
         </message>
         <message>
-            <source>Share of the parts that may fail before the cycle is unfit; when more of them are expected to be out of tolerance, it is conditionally fit.</source>
+            <source>Share of the parts that may be rejected before the cycle is unfit; when more of them are expected to be out of tolerance, it is conditionally fit.</source>
             <translation>Доля негодных деталей, при превышении которой цикл не годен; если больше этой доли ожидаемая доля вне допуска, цикл условно годен.</translation>
         </message>
         <message>
@@ -5988,7 +5988,7 @@ With another name both versions stay as they are.</source>
             <translation>Когда деталь была отшлифована или измерена.</translation>
         </message>
         <message>
-            <source>Anything worth knowing of the data.</source>
+            <source>Anything worth knowing about the data.</source>
             <translation>Всё, что важно знать о данных.</translation>
         </message>
         <message>
@@ -6176,7 +6176,7 @@ With another name both versions stay as they are.</source>
             <translation>Измеренных значений</translation>
         </message>
         <message>
-            <source>How many measured values it rests on.</source>
+            <source>Number of measured values used.</source>
             <translation>На скольких измеренных значениях оно основано.</translation>
         </message>
         <message>
@@ -6488,7 +6488,7 @@ With another name both versions stay as they are.</source>
             <translation>Стоимость и стойкость круга ищутся по деталям от правки до правки: цикл годен для каждой из них, с кругом, каким его делает износ, заданный у детали. Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
-            <source>Path of an input, or of all below it, as `/wheel/dullness` or `/cycle`. Of several that name an input the longest holds.</source>
+            <source>Path of an input, or of all below it, as `/wheel/dullness` or `/cycle`. Of several that name an input the longest applies.</source>
             <translation>Путь исходной величины или всех под ним, например `/wheel/dullness` или `/cycle`. Если величину называют несколько путей, действует самый длинный.</translation>
         </message>
         <message>
@@ -6556,7 +6556,7 @@ With another name both versions stay as they are.</source>
             <translation>Скрыто</translation>
         </message>
         <message>
-            <source>Views, panels and commands that are not there in this step.</source>
+            <source>Views, panels and commands that are hidden in this step.</source>
             <translation>Виды, панели и команды, которых на этом шаге нет.</translation>
         </message>
         <message>
@@ -6604,7 +6604,7 @@ With another name both versions stay as they are.</source>
             <translation>у всех студентов один проект</translation>
         </message>
         <message>
-            <source>In the teacher&apos;s file alone.</source>
+            <source>Only in the teacher&apos;s file.</source>
             <translation>Только в файле преподавателя.</translation>
         </message>
         <message>
@@ -6620,7 +6620,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьший запас</translation>
         </message>
         <message>
-            <source>The relative margin that the worst requirement is to have left.</source>
+            <source>Relative margin that the worst requirement must have.</source>
             <translation>Относительный запас, который должен остаться у худшего требования.</translation>
         </message>
         <message>
@@ -6628,7 +6628,7 @@ With another name both versions stay as they are.</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>
-            <source>Under gauge control the requirements are to hold for every stock within one infeed of the last stage, as the verdict judges it; else for the part that is run.</source>
+            <source>Under gauge control the requirements must be met for every stock within one infeed of the last stage, as in the verdict; otherwise for the part that is run.</source>
             <translation>При управлении от прибора требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
         </message>
         <message>
@@ -6712,7 +6712,7 @@ With another name both versions stay as they are.</source>
             <translation>Из мест, где кривая сравнивается.</translation>
         </message>
         <message>
-            <source>Alike within</source>
+            <source>Tolerance of the order</source>
             <translation>Одинаковы в пределах</translation>
         </message>
         <message>
@@ -6728,7 +6728,7 @@ With another name both versions stay as they are.</source>
             <translation>Варианты ответа</translation>
         </message>
         <message>
-            <source>A student&apos;s file does not say which of them are right.</source>
+            <source>A student&apos;s file does not state which options are right.</source>
             <translation>В файле студента не сказано, какие из них верны.</translation>
         </message>
         <message>
@@ -6740,7 +6740,7 @@ With another name both versions stay as they are.</source>
             <translation>Сколько букв должно быть в ответе.</translation>
         </message>
         <message>
-            <source>Requirements hold</source>
+            <source>Requirements are met</source>
             <translation>Требования выполнены</translation>
         </message>
         <message>
@@ -6996,7 +6996,7 @@ With another name both versions stay as they are.</source>
         <translation>не ограничено сверху</translation>
     </message>
     <message>
-        <source>Every value of each goes with every value of the others.</source>
+        <source>Every value of each input is combined with every value of the others.</source>
         <translation>Значения каждой сочетаются со всеми значениями остальных.</translation>
     </message>
     <message>
@@ -7124,7 +7124,7 @@ With another name both versions stay as they are.</source>
             <translation>Число граней от станка</translation>
         </message>
         <message>
-            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout leave it open. Not known: judged as an odd one, with the diameters of two lobes beside.</source>
+            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not show which. Not known: judged as odd, with the diameters for two lobes stated beside.</source>
             <translation>2 — овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное — нет; отклонение от круглости и биение числа граней не определяют. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
         </message>
         <message>
@@ -10314,7 +10314,7 @@ With another name both versions stay as they are.</source>
             <translation>Лабораторная работа</translation>
         </message>
         <message>
-            <source>Requirements hold</source>
+            <source>Requirements are met</source>
             <translation>Требования выполнены</translation>
         </message>
         <message>
@@ -10342,7 +10342,7 @@ With another name both versions stay as they are.</source>
             <translation>Ответ</translation>
         </message>
         <message>
-            <source>Right ones chosen</source>
+            <source>Right options chosen</source>
             <translation>Выбраны верные</translation>
         </message>
         <message>
@@ -11092,7 +11092,7 @@ With another name both versions stay as they are.</source>
             <translation>Числа со всеми знаками, единицы в отдельной строке</translation>
         </message>
         <message>
-            <source>Headers in the language of the window; Excel opens the file as it is</source>
+            <source>Headers in the language of the window; Excel opens the file directly</source>
             <translation>Заголовки на языке окна; Excel открывает файл сразу</translation>
         </message>
         <message>
@@ -12200,7 +12200,7 @@ With another name both versions stay as they are.</source>
             <translation>Сохранить как своё</translation>
         </message>
         <message>
-            <source>Your own catalogue cannot be read. “From catalogue…” says why.</source>
+            <source>Your own catalogue cannot be read. “From catalogue…” shows the reason.</source>
             <translation>Ваш каталог не читается. Причина указана в окне «Из каталога…».</translation>
         </message>
         <message>
@@ -12224,7 +12224,7 @@ With another name both versions stay as they are.</source>
             <translation>Из каталога…</translation>
         </message>
         <message>
-            <source>Take values from the catalogue; what changes is shown first</source>
+            <source>Apply values from the catalogue; the changes are shown first</source>
             <translation>Применить значения из каталога; сначала показано, что изменится</translation>
         </message>
         <message>
@@ -12367,7 +12367,7 @@ With another name both versions stay as they are.</source>
             </translation>
         </message>
         <message>
-            <source>The compliance is given on this page, so the stiffness is not read.</source>
+            <source>The compliance is given on this page, so the stiffness is not used.</source>
             <translation>Податливость на этой странице задана, поэтому жёсткость не используется.</translation>
         </message>
         <message>
@@ -13125,7 +13125,7 @@ With another name both versions stay as they are.</source>
             <translation>%1: прочитать из файла CSV</translation>
         </message>
         <message>
-            <source>A table whose column “%1” holds a value a line</source>
+            <source>A table whose column “%1” has one value per line</source>
             <translation>Таблица, в столбце «%1» которой в каждой строке значение</translation>
         </message>
     </context>
@@ -14846,11 +14846,11 @@ target, µm</source>
             <translation>второе значение меньше первого</translation>
         </message>
         <message>
-            <source>%1: allowed is %2</source>
-            <translation>%1: допускается %2</translation>
+            <source>%1; allowed: %2</source>
+            <translation>%1; допускается: %2</translation>
         </message>
         <message>
-            <source>the other inputs do not go with these values</source>
+            <source>these values contradict the other inputs</source>
             <translation>остальные данные не сочетаются с этими значениями</translation>
         </message>
     </context>
@@ -18452,7 +18452,7 @@ good</source>
     <context>
         <name>ListPaste</name>
         <message>
-            <source>there are no rows below the heads</source>
+            <source>there are no rows below the headings</source>
             <translation>под заголовками нет строк</translation>
         </message>
         <message numerus="yes">
@@ -18619,7 +18619,7 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Usual inputs alone</source>
+            <source>Usual inputs only</source>
             <translation>Только обычные данные</translation>
         </message>
         <message>

@@ -15,10 +15,11 @@ constexpr Option surface{
     .text = {
         "the surface of a file of several, by its name or its number from 1, or all",
         "поверхность файла нескольких поверхностей, по имени или по номеру (с 1), или all — все"}};
-constexpr Option threads{.name = "--threads",
-                         .value = integer("N", 1, 1024),
-                         .text = {"threads, instead of one a processor; the answer is the same",
-                                  "число потоков вместо одного на процессор; ответ тот же"}};
+constexpr Option threads{
+    .name = "--threads",
+    .value = integer("N", 1, 1024),
+    .text = {"number of threads, by default one per processor; the answer is the same",
+             "число потоков вместо одного на процессор; ответ тот же"}};
 constexpr Option progress{.name = "--progress",
                           .text = {"prints progress to stderr, even when that is not a terminal",
                                    "печатает ход расчёта в stderr, даже если это не терминал"}};
@@ -54,10 +55,10 @@ Command remediesCommand() {
     return {"remedies",
             oneFile,
             {"finds up to three changes of one setting, or a starting cycle, with which an unfit "
-             "cycle meets all requirements or a cycle close to a limit has room: each is the "
-             "middle of an interval of values that were run, for every stock and the batch, and "
-             "the one that costs least comes first; where none of the values tried helps, the "
-             "reason, with the requirements that are not met",
+             "cycle meets all requirements or a cycle close to a limit gains a sufficient margin: "
+             "each is the middle of an interval of values that were run, for every stock and the "
+             "batch, and the one that costs least comes first; where none of the values tried "
+             "helps, states the reason and the requirements that are not met",
              "находит изменения одной настройки или исходный цикл, при которых выполнены все "
              "требования нарушавшего их цикла либо у цикла, близкого к пределу, появляется запас: "
              "до трёх, каждое — середина интервала рассчитанных значений, для всех припусков и для "
@@ -89,8 +90,8 @@ Command optimizeCommand() {
                    "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более "
                    "быстрый годный цикл, если встретится; он не доказан"}},
          {.name = "--front",
-          .text = {"beyond the answer the best cycle of each number of stages, and slower cycles "
-                   "farther from their limits: time against margin",
+          .text = {"also finds the best cycle of each number of stages, and slower cycles farther "
+                   "from their limits: time against margin",
                    "кроме ответа лучший цикл для каждого числа ступеней и более медленные циклы, "
                    "которые дальше от пределов: запас против времени"}},
          {.name = "--method",
@@ -116,12 +117,13 @@ Command optimizeCommand() {
                "остаётся лучшее из найденного и время, быстрее которого цикла нет"}},
          {.name = "--threads",
           .value = integer("N", 1, 1024),
-          .text = {"of the full search, instead of one a processor; the answer is the same",
+          .text = {"number of threads of the full search, by default one per processor; the answer "
+                   "is the same",
                    "число потоков полного поиска вместо одного на процессор; ответ тот же"}},
          {.name = "--resume",
           .value = file("FILE"),
-          .text = {"of the full search: keeps its progress in this file, every second and at a "
-                   "stop; the same command with the same file goes on where it was stopped or "
+          .text = {"keeps the progress of the full search in this file, every second and at a "
+                   "stop; the same command with the same file continues where it was stopped or "
                    "killed, and gives the same answer",
                    "для полного поиска: сохраняет его ход в этом файле каждую секунду и при "
                    "остановке; та же команда с тем же файлом продолжает с места, где поиск "
@@ -134,11 +136,11 @@ Command optimizeCommand() {
 }
 
 Command validateCommand() {
-    return {
-        "validate",
-        oneFile,
-        {"checks a project file: one line a fault", "проверяет файл проекта: по строке на ошибку"},
-        {}};
+    return {"validate",
+            oneFile,
+            {"checks a project file and prints one line for each fault",
+             "проверяет файл проекта: по строке на ошибку"},
+            {}};
 }
 
 std::vector<Option> batchOptions() {
@@ -146,7 +148,8 @@ std::vector<Option> batchOptions() {
         surface,
         {.name = "--parts",
          .value = integer("N", 1, 1'000'000),
-         .text = {"parts, instead of the file's", "число деталей вместо заданного в файле"}},
+         .text = {"number of parts, instead of the file's",
+                  "число деталей вместо заданного в файле"}},
         {.name = "--seed",
          .value = integer("S", 0, highestInteger),
          .text = {"seed, instead of the file's", "номер выборки вместо заданного в файле"}},
@@ -158,7 +161,7 @@ std::vector<Option> batchOptions() {
         {.name = "--measured",
          .value = file("BLANKS.csv"),
          .text = {"CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …): their "
-                  "values take the place of the file's laws",
+                  "values replace the file's laws",
                   "CSV со столбцами факторов (stock_mm, initial_runout_mm, …): их значения вместо "
                   "законов распределения файла"}},
         {.name = "--until-width",
@@ -180,8 +183,7 @@ std::vector<Option> batchOptions() {
               "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
         {.name = "--force",
          .needs = "--rows",
-         .text = {"--rows may take the place of a file",
-                  "--rows может заменить существующий файл"}},
+         .text = {"--rows may replace a file", "--rows может заменить существующий файл"}},
         json,
         csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
         {.name = "--shard",
@@ -198,7 +200,7 @@ Command batchCommand() {
     return {"batch",
             oneFile,
             {"runs the batch of a project file: its parts differ by the factors given there. "
-             "Ctrl+C ends it; what is done until then is evaluated and printed",
+             "Ctrl+C ends it; the parts done until then are evaluated and printed",
              "рассчитывает партию файла проекта: детали отличаются заданными в нём факторами. "
              "Ctrl+C прерывает расчёт, сделанное оценивается и печатается"},
             batchOptions()};
@@ -297,9 +299,9 @@ std::vector<Option> measuredOptions() {
               "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
               "friction_power, idle_power, size_offset, time_shift, power_delay, force_delay, "
               "blank_runout, gauge_lag, gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 "
-              "has the mean and the standard deviation of what is known before; names what the "
-              "data cannot tell and what to measure; exit status 4 when the model does not fit, or "
-              "a time, lag or drift that it needs is left out",
+              "states the mean and the standard deviation known before; names undetermined "
+              "parameters and what to measure; exit status 4 when the model does not fit, or a "
+              "time, lag or drift that it needs is left out",
               "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
               "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
               "friction_power, idle_power, size_offset, time_shift, power_delay, force_delay, "
@@ -310,48 +312,48 @@ std::vector<Option> measuredOptions() {
         {.name = "--loss",
          .value = choice("none huber tukey"),
          .needs = "--fit",
-         .text = {"of --fit: outliers weigh less (huber) or hardly count (tukey)",
+         .text = {"loss of --fit: outliers weigh less (huber) or hardly count (tukey)",
                   "для --fit: выбросы весят меньше (huber) или почти не учитываются (tukey)"}},
         {.name = "-o",
          .value = projectFile("OUT.sparkout"),
          .needs = "--fit",
-         .text = {"saves the project with the inputs that --fit has found, each with what it was "
-                  "calibrated on; nothing where it has found no values to use",
+         .text = {"saves the project with the inputs that --fit has found, each with the data of "
+                  "its calibration; saves nothing if no usable values were found",
                   "сохраняет проект с исходными данными, найденными --fit, и с тем, по чему каждое "
                   "откалибровано; ничего, если пригодных значений не найдено"}},
         {.name = "--roundness",
-         .text = {"instead: the form of each zone or section after the cycle as a roundness "
-                  "machine states it, about the four reference circles, not filtered and after the "
+         .text = {"states instead the form of each zone or section after the cycle as a roundness "
+                  "machine does, about the four reference circles, not filtered and after the "
                   "Gaussian filter of ISO 16610-21 at 15, 50 and 150 undulations per revolution",
                   "вместо этого: форма каждой зоны или сечения после цикла, как её указывает "
                   "кругломер, относительно четырёх базовых окружностей, без фильтра и после "
                   "фильтра Гаусса по ISO 16610-21 с границей 15, 50 и 150 волн на оборот"}},
         {.name = "--profile",
          .value = file("TABLE.csv"),
-         .text = {"the same for a recorded section beside it: a table of angle [°] and radius "
-                  "[mm], or of deviations where the heading names µm",
+         .text = {"also states the form of a recorded section: a table of angle [°] and radius "
+                  "[mm], or of deviations if the heading names µm",
                   "то же для записанного сечения: таблица угла [°] и радиуса [мм] или отклонений, "
                   "если в заголовке указаны мкм"}},
         {.name = "--trial",
          .value = textLike("PARAMETER,…", "parameters, as alpha,beta"),
-         .text = {"instead: which of 24 short trials determines these parameters best, by feed, "
-                  "spark-out and what is recorded, with the 95 % intervals to expect",
+         .text = {"finds instead which of 24 short trials determines these parameters best, by "
+                  "feed, spark-out and recorded quantities, with the 95 % intervals to expect",
                   "вместо этого: какой из 24 коротких опытов лучше определяет эти параметры, по "
                   "подаче, выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
         {.name = "--stiffness-sheet",
-         .text = {"instead: the steps, places and load of a stiffness trial",
+         .text = {"prints instead the steps, places and load of a stiffness trial",
                   "вместо этого: порядок, места и нагрузка опыта на жёсткость"}},
         {.name = "--stiffness",
          .value = file("TABLE.csv"),
-         .text = {"instead: stiffness of headstock and tailstock from a table of place [mm], load "
-                  "[N] and deflection [µm]",
+         .text = {"computes instead the stiffness of headstock and tailstock from a table of place "
+                  "[mm], load [N] and deflection [µm]",
                   "вместо этого: жёсткость передней и задней бабки по таблице мест [мм], нагрузок "
                   "[Н] и отжатий [мкм]"}},
         {.name = "--indicator",
          .value = choice("part system"),
          .needs = "--stiffness --stiffness-sheet",
-         .text = {"part: it shows the part against the bed; system: against the wheel head, whose "
-                  "stiffness three places give too, with two it is the file's",
+         .text = {"part: the indicator shows the part against the bed; system: against the wheel "
+                  "head, whose stiffness follows from three places; with two it is the file's",
                   "part: индикатор показывает деталь относительно станины; system: относительно "
                   "шлифовальной бабки, жёсткость которой дают три места, при двух она берётся из "
                   "файла"}},
@@ -408,7 +410,7 @@ Command courseCommand() {
           .isRequired = true,
           .text = {"the folder for the works", "папка для работ"}},
          {.name = "--force",
-          .text = {"works that are there are replaced", "имеющиеся работы заменяются"}}}};
+          .text = {"existing works are replaced", "имеющиеся работы заменяются"}}}};
     const Command grade{
         "course grade",
         {"LESSON DIR", Kind::file, "a lesson and a folder of works", 2, 2},
@@ -437,7 +439,7 @@ Command courseCommand() {
           .text = {"the workbook that --xlsx writes", "книга, которую записывает --xlsx"}},
          {.name = "--force",
           .needs = "--xlsx",
-          .text = {"a workbook that is there is replaced", "имеющаяся книга заменяется"}}}};
+          .text = {"an existing workbook is replaced", "имеющаяся книга заменяется"}}}};
     return {"course",
             {},
             {"laboratory works for a class; a lesson is a file .sparkout-lesson",
@@ -450,12 +452,12 @@ Command newCommand() {
     return {
         "new",
         {"SIZE", Kind::anything, "a size with its field, as 35k6", 1, 1},
-        {"writes a project with a starting cycle for a surface of a drawing: the size with its "
-         "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
+        {"writes a project with a starting cycle for a surface of a drawing, given by its size "
+         "with the field, as 35k6 or for a bore 60H7, and the options below. Work speed, feeds, "
          "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
-         "machine, in steps of the machine; what bounds the rough depth is printed, the times of "
-         "the stages, and for which stocks the cycle is fit; the project has a usual search about "
-         "it. A part or a wheel that the machine does not take is refused",
+         "machine, in steps of the machine; the limit of the rough depth, the times of the stages "
+         "and the stocks for which the cycle is fit are printed; the project has a typical search "
+         "about it. A part or a wheel that the machine does not take is refused",
          "записывает проект с исходным циклом для поверхности чертежа: размер с полем, например "
          "35k6, для отверстия 60H7, и то, что о нём сказано ниже. Частота вращения заготовки, "
          "подачи, припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга "
@@ -492,8 +494,8 @@ Command newCommand() {
                    "станок каталога вместо 3М151, для отверстия 3К227; достаточно части названия"}},
          {.name = "--wheel",
           .value = textLike("NAME", "a name of the catalogue"),
-          .text = {"of the catalogue, instead of the one that suits machine, length, material and "
-                   "Ra, for a bore the widest that goes into it",
+          .text = {"a wheel of the catalogue, instead of the one that suits machine, length, "
+                   "material and Ra, for a bore the widest that fits into it",
                    "круг каталога вместо подходящего станку, длине, материалу и Ra, для отверстия "
                    "— самого большого, входящего в него"}},
          {.name = "--material",
@@ -504,19 +506,18 @@ Command newCommand() {
           .value = file("OUT.sparkout"),
           .isRequired = true,
           .text = {"the project", "файл проекта"}},
-         {.name = "--force",
-          .text = {"replaces a file that is there", "заменяет имеющийся файл"}}}};
+         {.name = "--force", .text = {"replaces an existing file", "заменяет имеющийся файл"}}}};
 }
 
 Command examplesCommand() {
     return {
         "examples",
         {"DIR", Kind::folder, "a folder", 1, 1},
-        {"writes the example projects into a folder, which is made if need be; where one of them "
+        {"writes the example projects into a folder, which is created if needed; if one of them "
          "was edited there, nothing is written",
          "записывает проекты-примеры в папку, создавая её при необходимости; если какой-либо из "
          "них там изменён, ничего не записывается"},
-        {{.name = "--force", .text = {"replaces those that were edited", "заменяет изменённые"}}}};
+        {{.name = "--force", .text = {"replaces edited examples", "заменяет изменённые"}}}};
 }
 
 } // namespace
@@ -538,8 +539,8 @@ const Program& commandLineProgram() {
          "проектов окна и даёт те же числа, до последнего знака."},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
           "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
-          "one that --surface names; the wheel comes to it as the surfaces before have left it. A "
-          "time limit applies to each surface.",
+          "one that --surface names, with the wheel as the surfaces before left it. A time limit "
+          "applies to each surface.",
           "Файл может содержать несколько поверхностей детали, шлифуемых за один установ. "
           "simulate, remedies, optimize, batch, sweep, phases и measured берут их все по порядку "
           "или ту, что названа в --surface; круг приходит к ней таким, каким его оставили "

@@ -10,8 +10,9 @@ std::vector<Option> windowOptions() {
         {.name = "--picture",
          .value = file("OUT.png"),
          .group = "output",
-         .text = {"writes a picture of the window with FILE and its result, shows nothing",
-                  "записывает снимок окна с файлом FILE и его результатом, ничего не показывая"}},
+         .text =
+             {"writes a picture of the window with FILE and its result, without showing the window",
+              "записывает снимок окна с файлом FILE и его результатом, ничего не показывая"}},
         {.name = "--report",
          .value = textLike("KIND", "a kind of report",
                            "card passport handout operation-card sketch-sheet lab-report worksheet "
@@ -54,7 +55,7 @@ std::vector<Option> windowOptions() {
          .needs = "--report --export",
          .group = "place",
          .text =
-             {"the file of the report or the tables; its ending says as what it is written: .pdf, "
+             {"the file of the report or the tables; its ending determines the format: .pdf, "
               ".html, .md (Markdown) or .odt; .xlsx, .csv (one table; with --lang ru semicolons "
               "and decimal commas, as Russian Excel has them) or .json (all: the object of "
               "sparkout-cli simulate --json)",
@@ -76,8 +77,7 @@ std::vector<Option> windowOptions() {
                   "их формат: pdf, html, md или odt; по умолчанию pdf"}},
         {.name = "--force",
          .needs = "-d",
-         .text = {"they may take the place of files that are there",
-                  "заменять существующие файлы"}},
+         .text = {"existing files may be replaced", "заменять существующие файлы"}},
         {.name = "--surface",
          .value = textLike("NAME|N", "a name or a number from 1"),
          .needs = "--picture --report --export",
@@ -122,7 +122,7 @@ std::vector<Option> windowOptions() {
         {.name = "--font-size",
          .value = choice("90 100 115 130", "N"),
          .text =
-             {"size of type, of the system's in per cent: 90, 100, 115 or 130, this time only",
+             {"size of type in per cent of the system's: 90, 100, 115 or 130, this time only",
               "размер шрифта в процентах от системного: 90, 100, 115 или 130, только на этот раз"}},
         {.name = "--view",
          .value = textLike("VIEW", "a view, by name or number",
@@ -145,7 +145,7 @@ std::vector<Option> windowOptions() {
                   "с программой, например на флешке, и не трогает настройки пользователя"}},
         {.name = "--time-start",
          .text = {"opens the window, prints a line when it was painted for the first time and "
-                  "closes it, for those who take the time",
+                  "closes it, to measure the start-up time",
                   "открывает окно, печатает строку, когда оно впервые нарисовано, и закрывает его "
                   "— для измерения времени запуска"}},
         {.name = "--version", .text = {"prints the version", "печатает версию"}},
@@ -168,11 +168,11 @@ const Program& windowProgram() {
          "--report KIND -d DIR [--format pdf|html|md|odt] [--force] [--lang en|ru] FILE…",
          "--export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] [--surface NAME|N] FILE"},
         {"Opens the workbench, with FILE or with an example. It computes a cylindrical grinding "
-         "cycle pass by pass and compares the part with its drawing. The help of the window says "
-         "the rest.",
+         "cycle pass by pass and compares the part with its drawing. The help of the window "
+         "describes the rest.",
          "Открывает окно с файлом FILE или с примером. Программа рассчитывает цикл круглого "
          "шлифования по проходам и сравнивает деталь с чертежом. Остальное — в справке окна."},
-        {{"sparkout-cli does without a display.", "Без экрана работает sparkout-cli."},
+        {{"sparkout-cli needs no display.", "Без экрана работает sparkout-cli."},
          {"The program uses no network: it looks for no updates and sends nothing.",
           "Программа не обращается к сети: не ищет обновлений и ничего не отправляет."}},
         {{"0", {"done", "выполнено"}},
@@ -192,8 +192,8 @@ const Program& windowProgram() {
            "поиск не нашёл цикла для всех сценариев, но он может существовать (ничего не "
            "записано)"}},
          {"130",
-          {"ended by Ctrl+C (nothing is written). With -d it is the first of the files that is not "
-           "0, and what is written stays",
+          {"ended by Ctrl+C (nothing is written). With -d it is the first status that is not 0, "
+           "and written files remain",
            "прервано Ctrl+C (ничего не записано). С -d — первый код файлов, отличный от 0; "
            "записанное остаётся"}}}};
     return program;

@@ -87,17 +87,17 @@ const StructInfo& tableOf<RequirementsGoal>() {
         SPARKOUT_FIELD(
             RequirementsGoal, least_margin_percent,
             .label = SPARKOUT_NOOP("Input", "Minimum margin"), .unit = "%", .hard = {0, 100},
-            .hint = SPARKOUT_NOOP(
-                "Input", "The relative margin that the worst requirement is to have left.")),
-        SPARKOUT_FIELD(RequirementsGoal, every_stock,
-                       .label = SPARKOUT_NOOP("Input", "For every stock"), .sparse = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Under gauge control the requirements are to hold for every "
-                                    "stock within one infeed of the last stage, as the verdict "
-                                    "judges it; else for the part that is run.")),
+            .hint =
+                SPARKOUT_NOOP("Input", "Relative margin that the worst requirement must have.")),
+        SPARKOUT_FIELD(
+            RequirementsGoal, every_stock, .label = SPARKOUT_NOOP("Input", "For every stock"),
+            .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "Under gauge control the requirements must be met for "
+                                           "every stock within one infeed of the last stage, as in "
+                                           "the verdict; otherwise for the part that is run.")),
     };
     static const StructInfo info =
-        makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements hold"), rows);
+        makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements are met"), rows);
     return info;
 }
 
@@ -198,7 +198,7 @@ const StructInfo& tableOf<OrderPrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(OrderPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(
-            OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Alike within"),
+            OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Tolerance of the order"),
             .hard = {0, largestNumber},
             .hint = SPARKOUT_NOOP(
                 "Input", "Places whose values are no further apart may stand in either order.")),
@@ -225,10 +225,10 @@ const StructInfo& tableOf<ChoiceGoal>() {
         SPARKOUT_FIELD(ChoiceGoal, options, .label = SPARKOUT_NOOP("Input", "Options"),
                        .hard = {2, 20}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "A student's file does not say which of them are right.")),
+                           "Input", "A student's file does not state which options are right.")),
     };
     static const StructInfo info =
-        makeTable<ChoiceGoal>(SPARKOUT_NOOP("Struct", "Right ones chosen"), rows);
+        makeTable<ChoiceGoal>(SPARKOUT_NOOP("Struct", "Right options chosen"), rows);
     return info;
 }
 
@@ -247,7 +247,7 @@ const StructInfo& tableOf<TextGoal>() {
 template <>
 const StructInfo& tableOf<Goal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements hold"),
+        SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements are met"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "The cycle ends by itself and every requirement is met.")),
@@ -287,14 +287,14 @@ const StructInfo& tableOf<Answer>() {
         SPARKOUT_FIELD(Answer, setup, .label = "Set-up", .sparse = true,
                        .hint = "The project as the student has set it, as in a project file."),
         SPARKOUT_FIELD(Answer, number, .label = "Number", .hard = {-largestNumber, largestNumber},
-                       .nullMeaning = "none is asked for"),
+                       .nullMeaning = "not asked for"),
         SPARKOUT_FIELD(Answer, curve, .label = "Curve", .hard = {-largestNumber, largestNumber},
-                       .nullMeaning = "none is asked for", .hint = "Rows of x and y, x rising."),
+                       .nullMeaning = "not asked for", .hint = "Rows of x and y, x rising."),
         SPARKOUT_FIELD(Answer, order, .label = "Order", .hard = {0, 100000},
-                       .nullMeaning = "none is asked for",
+                       .nullMeaning = "not asked for",
                        .hint = "Zones or sections from 0, the largest first."),
         SPARKOUT_FIELD(Answer, chosen, .label = "Options chosen", .hard = {1, 20},
-                       .nullMeaning = "none is asked for", .hint = "From 1."),
+                       .nullMeaning = "not asked for", .hint = "From 1."),
         SPARKOUT_FIELD(Answer, text, .label = "Text", .sparse = true),
     };
     static const StructInfo info = makeTable<Answer>("Answer", rows);

@@ -258,11 +258,12 @@ std::span<const Choice> choicesOf<Access>() {
 template <>
 const StructInfo& tableOf<InputAccess>() {
     static const std::array rows{
-        SPARKOUT_FIELD(InputAccess, path, .label = SPARKOUT_NOOP("Input", "Input"),
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Path of an input, or of all below it, as `/wheel/dullness` or "
-                                    "`/cycle`. Of several that name an input the longest holds.")),
+        SPARKOUT_FIELD(
+            InputAccess, path, .label = SPARKOUT_NOOP("Input", "Input"),
+            .required = conditions::always,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Path of an input, or of all below it, as `/wheel/dullness` or "
+                                  "`/cycle`. Of several that name an input the longest applies.")),
         SPARKOUT_FIELD(InputAccess, access, .label = SPARKOUT_NOOP("Input", "Access"),
                        .required = conditions::always),
     };
@@ -326,7 +327,7 @@ const StructInfo& tableOf<LessonStep>() {
         SPARKOUT_FIELD(LessonStep, hidden, .label = SPARKOUT_NOOP("Input", "Hidden"),
                        .hard = {0, 100}, .sparse = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Views, panels and commands that are not there in this step.")),
+                           "Input", "Views, panels and commands that are hidden in this step.")),
         SPARKOUT_FIELD(LessonStep, goal, .label = SPARKOUT_NOOP("Input", "Goal"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Exactly one kind.")),
@@ -352,10 +353,10 @@ const StructInfo& tableOf<LessonSheet>() {
                        .hard = {1, 100}, .required = conditions::always),
         SPARKOUT_FIELD(LessonSheet, variants, .label = SPARKOUT_NOOP("Input", "Variants"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "all students have the same project"),
-                       .hint = SPARKOUT_NOOP("Input", "In the teacher's file alone.")),
+                       .hint = SPARKOUT_NOOP("Input", "Only in the teacher's file.")),
         SPARKOUT_FIELD(LessonSheet, guide, .label = SPARKOUT_NOOP("Input", "Guide for the teacher"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "none is printed"),
-                       .hint = SPARKOUT_NOOP("Input", "In the teacher's file alone.")),
+                       .hint = SPARKOUT_NOOP("Input", "Only in the teacher's file.")),
     };
     static const StructInfo info = makeTable<LessonSheet>(SPARKOUT_NOOP("Struct", "Lesson"), rows);
     return info;

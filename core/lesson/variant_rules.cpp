@@ -201,10 +201,11 @@ const StructInfo& tableOf<FigureBound>() {
 template <>
 const StructInfo& tableOf<VariantRules>() {
     static const std::array rows{
-        SPARKOUT_FIELD(VariantRules, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"),
-                       .hard = {1, 20}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Every value of each goes with every value "
-                                                      "of the others.")),
+        SPARKOUT_FIELD(
+            VariantRules, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"), .hard = {1, 20},
+            .required = conditions::always,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Every value of each input is combined with every value of the others.")),
         SPARKOUT_FIELD(
             VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
             .hint = SPARKOUT_NOOP("Input", "Permitted difference between the best answers.")),

@@ -319,8 +319,8 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
           SPARKOUT_NOOP("Output", "Largest difference at which the two means count as the same")},
      [](const AdequacyOf& a) { return a.row.biasLimit; }},
     {{.key = "mean_place",
-      .hint = "where the interval of the mean lies to the predicted range, the criterion of the "
-              "sources: inside, below, above or undecided"},
+      .hint = "position of the interval of the mean relative to the predicted range, the criterion "
+              "of the sources: inside, below, above or undecided"},
      [](const AdequacyOf& a) { return std::string(keyOf(a.row.meanPlace)); }},
     {{.key = "verdict"}, [](const AdequacyOf& a) { return std::string(keyOf(a.row.verdict)); }},
 };
@@ -355,7 +355,7 @@ constexpr Output<VarianceRatio> ratioRows[] = {
      [](const VarianceRatio& v) { return v.low; }},
     {{.key = "high", .label = SPARKOUT_NOOP("Output", "F, 95 % to")},
      [](const VarianceRatio& v) { return v.high; }},
-    {{.key = "probability", .hint = "of a ratio at least so far from 1 by chance"},
+    {{.key = "probability", .hint = "probability of a ratio at least so far from 1 by chance"},
      [](const VarianceRatio& v) { return v.probability; }},
 };
 

@@ -320,11 +320,10 @@ const StructInfo& tableOf<Factors>() {
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
             .symbol = "t", .unit = "h", .nullMeaning = SPARKOUT_NOOP("Input", "it does not drift"),
             .page = Page::batch,
-            .hint = SPARKOUT_NOOP(
-                "Input",
-                "It multiplies the machine's gauge drift. Growing part by part from 0: the last "
-                "part is ground the time of a piece later for each part before it; the parts "
-                "between dressings are those from one setting of the gauge to the next."),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "It multiplies the machine's gauge drift. Growing from 0, it "
+                                  "rises by the piece time from part to part; the parts between "
+                                  "dressings are those from one setting of the gauge to the next."),
             .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Factors, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
@@ -401,8 +400,9 @@ const StructInfo& tableOf<Batch>() {
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "every part must be good"),
             .page = Page::batch, .usual = true,
             .hint = SPARKOUT_NOOP(
-                "Input", "Share of the parts that may fail before the cycle is unfit; when more of "
-                         "them are expected to be out of tolerance, it is conditionally fit."),
+                "Input",
+                "Share of the parts that may be rejected before the cycle is unfit; when more of "
+                "them are expected to be out of tolerance, it is conditionally fit."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, measuring_uncertainty_um,

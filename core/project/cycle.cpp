@@ -78,16 +78,16 @@ const StructInfo& tableOf<Stage>() {
                 SPARKOUT_NOOP("Input", "Programmed infeed at the reversals of each double stroke."),
             .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("InputBrief", "Radial feed"),
             .source = "MODEL-5"),
-        SPARKOUT_FIELD(
-            Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
-            .symbol = "S_ax", .unit = "mm/min", .hard = {0.01, 1e5}, .soft = {50, 6000},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
-            .required = conditions::setsFeed<&Stage::axial_feed_mm_min>,
-            .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .slider = true,
-            .page = Page::cycle, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Table speed; S_ax/n per revolution is the effective "
-                                           "width of cut, at most the wheel width."),
-            .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
+        SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
+                       .symbol = "S_ax", .unit = "mm/min", .hard = {0.01, 1e5}, .soft = {50, 6000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
+                       .required = conditions::setsFeed<&Stage::axial_feed_mm_min>,
+                       .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .slider = true,
+                       .page = Page::cycle, .usual = true,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Table speed; S_ax/n per revolution is the effective "
+                                             "width of cut, at most the wheel width."),
+                       .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
                        .symbol = "S_p", .unit = "mm/min", .hard = {-100, 100}, .soft = {0.01, 5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
@@ -99,17 +99,17 @@ const StructInfo& tableOf<Stage>() {
                                     "Beyond the sources: a stage between others may retract "
                                     "(negative feed) until its stock is off or nothing is cut."),
                        .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
-        SPARKOUT_FIELD(
-            Stage, continuous_feed_mm_min,
-            .label = SPARKOUT_NOOP("Input", "Continuous radial infeed"), .symbol = "S_c",
-            .unit = "mm/min", .hard = {0, 10}, .soft = {0, 1},
-            .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = feedsWhileTravelling,
-            .page = Page::cycle,
-            .hint = SPARKOUT_NOOP(
-                "Input", "Radial infeed that continues while the table travels and dwells, in "
-                         "addition to the radial feed at the reversals, which may then be 0."),
-            .formula = "t_П ← t_П + S_c·Δt", .column = SPARKOUT_NOOP("InputBrief", "Cont. infeed"),
-            .source = "MODEL-5"),
+        SPARKOUT_FIELD(Stage, continuous_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Continuous radial infeed"), .symbol = "S_c",
+                       .unit = "mm/min", .hard = {0, 10}, .soft = {0, 1},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none"),
+                       .relevant = feedsWhileTravelling, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input",
+                           "Radial infeed that continues while the table travels and dwells, in "
+                           "addition to the radial feed at the reversals, which may then be 0."),
+                       .formula = "t_П ← t_П + S_c·Δt",
+                       .column = SPARKOUT_NOOP("InputBrief", "Cont. infeed"), .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
             .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6}, .required = feeds,
@@ -122,7 +122,7 @@ const StructInfo& tableOf<Stage>() {
             Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,
             .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "The last stage may feed nothing: a number of double "
+            .hint = SPARKOUT_NOOP("Input", "The last stage may have no feed: a number of double "
                                            "strokes or revolutions, or until size."),
             .column = SPARKOUT_NOOP("InputBrief", "Spark-out"), .source = "MODEL-7"),
     };

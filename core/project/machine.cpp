@@ -277,7 +277,7 @@ const StructInfo& tableOf<MachineLimits>() {
             .page = Page::machine,
             .hint =
                 SPARKOUT_NOOP("Input", "Peripheral speed up to which the machine drives a wheel; a "
-                                       "starting cycle takes it where the wheel stands it.")),
+                                       "starting cycle uses it if the wheel allows it.")),
     };
     static const StructInfo info =
         makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
@@ -310,9 +310,10 @@ const StructInfo& tableOf<MachineForm>() {
             .hard = {2, 30}, .soft = {2, 15}, .nullMeaning = SPARKOUT_NOOP("Input", "not known"),
             .page = Page::machine,
             .hint = SPARKOUT_NOOP(
-                "Input", "2: an oval. An even number spreads the diameter by twice the roundness "
-                         "deviation, an odd one does not; roundness and runout leave it open. Not "
-                         "known: judged as an odd one, with the diameters of two lobes beside."),
+                "Input",
+                "2: an oval. An even number spreads the diameter by twice the roundness deviation, "
+                "an odd one does not; roundness and runout do not show which. Not known: judged as "
+                "odd, with the diameters for two lobes stated beside."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_at_deg,
@@ -430,13 +431,13 @@ const StructInfo& tableOf<Machine>() {
                 "Input",
                 "Speed of the infeed at a reversal: an infeed S takes ⌈n·S/S_rad⌉ revolutions."),
             .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, reversal_infeed,
-                       .label = SPARKOUT_NOOP("Input", "Infeed at the reversals"),
-                       .relevant = conditions::travels, .sparse = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Where the radial feed of a double stroke is fed: at the entry "
-                                    "reversal, at the exit reversal, or half of it at each."),
-                       .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, reversal_infeed, .label = SPARKOUT_NOOP("Input", "Infeed at the reversals"),
+            .relevant = conditions::travels, .sparse = true, .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "Reversal at which the infeed of a double stroke takes "
+                                       "place: at the entry, at the exit, or half of it at each."),
+            .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, overrun_entry_mm,
                        .label = SPARKOUT_NOOP("Input", "Overrun at the entry"), .symbol = "o_1",
                        .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},

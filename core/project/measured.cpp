@@ -156,7 +156,7 @@ const StructInfo& tableOf<MeasuredPart>() {
         SPARKOUT_FIELD(MeasuredPart, time, .label = SPARKOUT_NOOP("Input", "When"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "When the part was ground or measured.")),
         SPARKOUT_FIELD(MeasuredPart, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
+                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };
     static const StructInfo info =
         makeTable<MeasuredPart>(SPARKOUT_NOOP("Struct", "Measured part"), rows);
@@ -208,7 +208,7 @@ const StructInfo& tableOf<MeasuredTrace>() {
             .hint = SPARKOUT_NOOP("Input", "Number of samples in that file; where there were more "
                                            "than are kept, they were reduced to means.")),
         SPARKOUT_FIELD(MeasuredTrace, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
+                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };
     static const StructInfo info =
         makeTable<MeasuredTrace>(SPARKOUT_NOOP("Struct", "Measured trace"), rows);
@@ -258,7 +258,7 @@ const StructInfo& tableOf<MeasuredSummary>() {
                        .hint = SPARKOUT_NOOP("Input", "Maximum value of all parts.")),
         SPARKOUT_FIELD(MeasuredSummary, note, .label = SPARKOUT_NOOP("Input", "Note"),
                        .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
+                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };
     static const StructInfo info =
         makeTable<MeasuredSummary>(SPARKOUT_NOOP("Struct", "Measured statistics"), rows);
@@ -286,7 +286,7 @@ const StructInfo& tableOf<Calibration>() {
                        .hint = SPARKOUT_NOOP("Input", "Data used for the calibration.")),
         SPARKOUT_FIELD(Calibration, count, .label = SPARKOUT_NOOP("Input", "Measured values"),
                        .hard = {1, 1e9},
-                       .hint = SPARKOUT_NOOP("Input", "How many measured values it rests on.")),
+                       .hint = SPARKOUT_NOOP("Input", "Number of measured values used.")),
         SPARKOUT_FIELD(Calibration, date, .label = SPARKOUT_NOOP("Input", "Date"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "When it was calibrated, ISO 8601.")),
     };

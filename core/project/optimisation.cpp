@@ -72,8 +72,8 @@ Field unfedSteps() {
             .whole = true,
             .page = Page::search,
             .hint = SPARKOUT_NOOP(
-                "Input", "Double strokes or revolutions of one more stage that feeds nothing and "
-                         "takes the last stock: a list, or from, to and step; 0 is no such stage."),
+                "Input", "Double strokes or revolutions of one more stage without feed that "
+                         "removes the last stock: a list, or from, to and step; 0: no such stage."),
             .source = "MODEL-7"});
 }
 
@@ -187,7 +187,7 @@ const StructInfo& tableOf<Optimisation>() {
         adaptiveLevels(),
         marginWithin(),
         SPARKOUT_FIELD(
-            Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
+            Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must be fit for"),
             .page = Page::search, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "The parts for which the cycle must meet the drawing."),
             .source = "MODEL-8"),

@@ -121,7 +121,7 @@ constexpr Output<Found> searchRows[] = {
      nullptr,
      isRobust},
     {{.key = "nominal_time_min",
-      .label = SPARKOUT_NOOP("Output", "Time of the quickest for the part alone"),
+      .label = SPARKOUT_NOOP("Output", "Time of the quickest cycle for the part alone"),
       .unit = "min",
       .sparse = true},
      [](const Found& f) {

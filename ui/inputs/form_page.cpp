@@ -381,7 +381,7 @@ void FormPage::showAllButton() {
     const auto shown = std::ranges::count_if(
         m_rows, [](const FormRow* row) { return row->isOnDemand() && row->isShown(); });
     const QString all = tr("All inputs (%1 more)").arg(onDemand - shown);
-    m_all->setText(m_rank.showsAll ? tr("Usual inputs alone")
+    m_all->setText(m_rank.showsAll ? tr("Usual inputs only")
                    : shown > 0
                        ? tr("%1 · %n other(s) shown", nullptr, static_cast<int>(shown)).arg(all)
                        : all);
