@@ -176,7 +176,7 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
     std::string text =
         std::to_string(summary.parts) + " of " + std::to_string(result.batchParts) + " parts, "
         + batchStatusKey(result.status) + "\nverdict "
-        + verdictText(weigh(summary, result), summary) + "\nnot good " + shareText(summary.bad)
+        + verdictText(weigh(summary, result), summary) + "\nrejected  " + shareText(summary.bad)
         + "; did not reach size " + std::to_string(summary.failed) + "\n" + strippedText(summary)
         + "worst part " + std::to_string(summary.worstPart + 1)
         + factorsText(result, summary.worstPart) + '\n' + notCountedText(result.project);

@@ -75,7 +75,7 @@ class JudgedStocks:
 
     @property
     def decided(self) -> bool:
-        """whether the stocks within one infeed are; not under position control, nor of a cycle of too many passes"""
+        """whether the stocks within one infeed are decided; not under position control, nor for a cycle of too many passes"""
     @property
     def holds(self) -> Optional[bool]:
         """whether every requirement is met for each of these stocks"""
@@ -84,7 +84,7 @@ class JudgedStocks:
         """range of stocks per side [mm]"""
     @property
     def failing_share(self) -> Optional[float]:
-        """share of these stocks for which a requirement fails, 0…1"""
+        """share of these stocks for which a requirement is not met, 0…1"""
 
 class Undecided:
     """A requirement that is asked for and not decided."""
@@ -107,7 +107,7 @@ class Judgement:
         """the first that applies: not_computed, fails, stocks_fail, batch_fails, measured_differ, undecided, close, batch_not_run, batch, every_stock, nominal"""
     @property
     def headline(self) -> str:
-        """the same in words"""
+        """the state in words"""
     @property
     def nominal(self) -> bool:
         """whether the part that was run reaches size and meets every requirement"""

@@ -377,10 +377,10 @@
     <context>
         <name>PassportMeasured</name>
         <message numerus="yes">
-            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part(s) of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</source>
+            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n part(s) of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</source>
             <translation>
-                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</numerusform>
-                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n parts of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</numerusform>
+                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n part of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</numerusform>
+                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n parts of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</numerusform>
             </translation>
         </message>
     </context>

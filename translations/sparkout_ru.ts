@@ -150,7 +150,7 @@
             <translation>ни одна деталь не рассчитана</translation>
         </message>
         <message>
-            <source>%1 % of the parts are not good, more than the allowed %2 %</source>
+            <source>%1 % of the parts are rejected, more than the allowed %2 %</source>
             <translation>негодных деталей %1 %, больше допустимых %2 %</translation>
         </message>
         <message>
@@ -158,7 +158,7 @@
             <translation>не все детали годны</translation>
         </message>
         <message>
-            <source>%1 % of the parts are not good, no more than the allowed %2 %</source>
+            <source>%1 % of the parts are rejected, no more than the allowed %2 %</source>
             <translation>негодных деталей %1 %, не больше допустимых %2 %</translation>
         </message>
         <message>
@@ -1108,11 +1108,11 @@
             <translation>среднее отличается от прогноза</translation>
         </message>
         <message>
-            <source>the parts scatter otherwise than predicted</source>
+            <source>the parts scatter differently than predicted</source>
             <translation>рассеяние деталей отличается от прогноза</translation>
         </message>
         <message>
-            <source>the mean differs from the predicted one, and the parts scatter otherwise</source>
+            <source>the mean differs from the predicted one, and the parts scatter differently</source>
             <translation>среднее отличается от прогноза, и рассеяние деталей тоже</translation>
         </message>
         <message>
@@ -1136,7 +1136,7 @@
             <translation>измеренных значений слишком мало для этих параметров</translation>
         </message>
         <message>
-            <source>the project cannot have these parameters, one of them is given twice, or the setting of the gauge is asked of traces</source>
+            <source>the project cannot have these parameters, one of them is given twice, or the setting of the gauge is to be fitted to traces</source>
             <translation>таких параметров у проекта быть не может, один из них указан дважды или настройка прибора определяется по записям</translation>
         </message>
         <message>
@@ -2105,7 +2105,7 @@
             <translation>ступеней ≤ </translation>
         </message>
         <message>
-            <source>Levels that the stock is divided into</source>
+            <source>Number of levels of the stock</source>
             <translation>Число уровней, на которые разделён припуск</translation>
         </message>
         <message>
@@ -2117,7 +2117,7 @@
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Fill the grid and have the answer proved; that runs by itself after an edit</source>
+            <source>Fill the grid and prove the answer; this also starts by itself after an edit</source>
             <translation>Заполнить сетку и доказать ответ; после правки это выполняется само</translation>
         </message>
         <message>
@@ -2125,8 +2125,8 @@
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the run; what is known is kept</source>
-            <translation>Прервать расчёт; известное сохраняется</translation>
+            <source>Stop the run; the results so far are kept</source>
+            <translation>Остановить расчёт; рассчитанное сохраняется</translation>
         </message>
         <message>
             <source>State of the filling</source>
@@ -2153,11 +2153,11 @@
             <translation>К концу обратного хода</translation>
         </message>
         <message>
-            <source>State that is looked at</source>
+            <source>State shown</source>
             <translation>Рассматриваемое состояние</translation>
         </message>
         <message>
-            <source>Number of the state looked at</source>
+            <source>Number of the state shown</source>
             <translation>Номер рассматриваемого состояния</translation>
         </message>
     </context>
@@ -2200,8 +2200,8 @@
             <translation>Вычеркнутые ходы</translation>
         </message>
         <message>
-            <source>Where the rule is wrong</source>
-            <translation>Где правило ошибается</translation>
+            <source>States in which the rule is wrong</source>
+            <translation>Состояния, в которых правило ошибается</translation>
         </message>
         <message>
             <source>path back along m*</source>
@@ -2276,8 +2276,8 @@ axial feed, mm/min</source>
             <translation>Вычеркнутые ходы</translation>
         </message>
         <message>
-            <source>Where the rule is wrong</source>
-            <translation>Где правило ошибается</translation>
+            <source>States in which the rule is wrong</source>
+            <translation>Состояния, в которых правило ошибается</translation>
         </message>
         <message>
             <source>A cell [n, m] holds the minimum time T[n,m] in which n levels of stock are removed, the last with feed m, and m*, the feed before it: T[n,m] = min over m&apos; of (T[n−1,m&apos;] + τ), T[0,0] = 0, over the moves that break no requirement. The minimum time of the last level is that of the cycle; its feeds are read back along m*.</source>
@@ -2303,7 +2303,7 @@ axial feed, mm/min</source>
             <translation>В поиске нет подач для этой сетки. Добавьте их на странице «Поиск».</translation>
         </message>
         <message>
-            <source>The levels of stock are gauged: the grid is of cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
+            <source>The levels of stock are gauged: the grid covers cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
             <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением от прибора. В этом проекте управление по положению; оно меняется на странице «ПАК».</translation>
         </message>
         <message>
@@ -2351,7 +2351,7 @@ axial feed, mm/min</source>
             <translation>его время не наименьшее: доказанный цикл достигает его через %1</translation>
         </message>
         <message>
-            <source>the way kept is not the one to go on from: the proven cycle reaches it after %1 and goes on; the way kept, with the same feeds from here on, %2</source>
+            <source>the kept path is the wrong one to continue: the proven cycle reaches the state after %1 and continues; the kept path, with the same feeds from here on, %2</source>
             <translation>запомнен не тот путь, который следует продолжать: доказанный цикл достигает состояния через %1 и продолжается; запомненный путь с теми же дальнейшими подачами %2</translation>
         </message>
         <message>
@@ -2383,7 +2383,7 @@ axial feed, mm/min</source>
             <translation>На этой сетке правило верно.</translation>
         </message>
         <message>
-            <source>The rule is right: there is none to find.</source>
+            <source>The rule is right: there is no cycle to find.</source>
             <translation>Правило верно: искать нечего.</translation>
         </message>
         <message>
@@ -2927,11 +2927,11 @@ axial feed, mm/min</source>
             <translation>Добавить поиск</translation>
         </message>
         <message>
-            <source>Take the cycle found</source>
+            <source>Apply the cycle found</source>
             <translation>Применить найденный цикл</translation>
         </message>
         <message>
-            <source>Take the values of a point of the sweep</source>
+            <source>Apply the values of a point of the sweep</source>
             <translation>Применить значения точки варьирования</translation>
         </message>
         <message>
@@ -3014,7 +3014,7 @@ axial feed, mm/min</source>
     <context>
         <name>EstimateNames</name>
         <message>
-            <source>Rests on estimates, to be calibrated: %1.</source>
+            <source>Based on estimates, to be calibrated: %1.</source>
             <translation>Опирается на оценки, подлежащие калибровке: %1.</translation>
         </message>
     </context>
@@ -3216,15 +3216,15 @@ axial feed, mm/min</source>
             <translation>выступающие места срезаются глубже впадин, но не настолько, чтобы от прибавленных %1 ничего не осталось</translation>
         </message>
         <message>
-            <source>the stock is the least that any radius has, so a larger runout is more metal to take off</source>
+            <source>the stock is the minimum over all radii, so a larger runout means more metal to remove</source>
             <translation>припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла</translation>
         </message>
         <message>
-            <source>the first stage has more metal to take off</source>
+            <source>the first stage has more metal to remove</source>
             <translation>первая ступень снимает больше металла</translation>
         </message>
         <message>
-            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage takes the rest off.</source>
+            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage removes the rest.</source>
             <translation>Припуск больше на пятую часть: %1 вместо %2 на сторону, прибавку снимает первая ступень.</translation>
         </message>
         <message>
@@ -3260,7 +3260,7 @@ axial feed, mm/min</source>
             <translation>большее отставание нарастает дольше</translation>
         </message>
         <message>
-            <source>what the system has yielded goes on cutting in the slower stage</source>
+            <source>the stored deflection continues to cut in the slower stage</source>
             <translation>то, на что отжата система, срезается ещё и на более медленной ступени</translation>
         </message>
         <message>
@@ -7382,7 +7382,7 @@ With another name both versions stay as they are.</source>
             <translation>выхаживанием может быть только последняя ступень; эта — {value} из {limit}</translation>
         </message>
         <message>
-            <source>a spark-out stage feeds nothing: {value} is not used</source>
+            <source>a spark-out stage has no feed: {value} is not used</source>
             <translation>на ступени выхаживания подачи нет: {value} не используется</translation>
         </message>
         <message>
@@ -7390,7 +7390,7 @@ With another name both versions stay as they are.</source>
             <translation>при {value} размер не будет достигнут никогда; допускается: {limit}</translation>
         </message>
         <message>
-            <source>{value} stages need more gauge commands than there are; allowed: {limit}</source>
+            <source>{value} stages need more gauge commands than available; allowed: {limit}</source>
             <translation>ступеней {value}, это больше числа команд прибора; допускается: {limit}</translation>
         </message>
         <message>
@@ -7402,7 +7402,7 @@ With another name both versions stay as they are.</source>
             <translation>{value}: круг упрётся в стенку глухого отверстия; допускается: {limit}</translation>
         </message>
         <message>
-            <source>the wheel turns {value} before the wall of the blind bore: what it does not reach must be relieved</source>
+            <source>the wheel turns {value} before the wall of the blind bore: the unreached length must be relieved</source>
             <translation>круг разворачивается за {value} до стенки глухого отверстия: там, куда он не доходит, нужна канавка</translation>
         </message>
         <message>
@@ -7414,7 +7414,7 @@ With another name both versions stay as they are.</source>
             <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
         </message>
         <message>
-            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not remove its stock of {limit}</source>
+            <source>the part stays {value} above size: a spark-out has no feed, and the deflection did not remove its stock of {limit}</source>
             <translation>до размера остаётся {value}: при выхаживании подачи нет, и отжатие не вернуло припуск ступени {limit}</translation>
         </message>
         <message>
@@ -7450,11 +7450,11 @@ With another name both versions stay as they are.</source>
             <translation>выстой {value} округлён до {limit}, до целых оборотов</translation>
         </message>
         <message>
-            <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli take it</source>
+            <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli open it</source>
             <translation>файл версии {value} содержит несколько поверхностей детали; его принимают окно программы и sparkout-cli</translation>
         </message>
         <message>
-            <source>{value} is the name of surface {limit} already</source>
+            <source>{value} is already the name of surface {limit}</source>
             <translation>{value} — уже имя поверхности {limit}</translation>
         </message>
         <message>
@@ -7462,7 +7462,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — общее для всех поверхностей и стоит вне их</translation>
         </message>
         <message>
-            <source>the gaps leave too little of the surface: {value} radii stand outside them; needed: {limit}, two of them opposite each other</source>
+            <source>the gaps leave too little of the surface: {value} radii lie outside them; needed: {limit}, two of them opposite each other</source>
             <translation>пазы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
         </message>
         <message>
@@ -8028,7 +8028,7 @@ With another name both versions stay as they are.</source>
             <translation>нет быстрее %1</translation>
         </message>
         <message>
-            <source>%1 % gone through</source>
+            <source>%1 % searched</source>
             <translation>пройдено %1 %</translation>
         </message>
         <message>
@@ -8052,7 +8052,7 @@ With another name both versions stay as they are.</source>
             <translation>Этот метод ищет только наименьшее время.</translation>
         </message>
         <message>
-            <source>The refinement between the levels looks for the minimum time alone.</source>
+            <source>The refinement between the levels looks only for the minimum time.</source>
             <translation>Уточнение между уровнями ищет только наименьшее время.</translation>
         </message>
         <message>
@@ -8060,11 +8060,11 @@ With another name both versions stay as they are.</source>
             <translation>Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
-            <source>The maximum margin within a time is searched with the objective “minimum time” alone.</source>
+            <source>The maximum margin within a time is searched only with the objective “minimum time”.</source>
             <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched for the given part alone, not for other stocks within one infeed or for the batch.</source>
+            <source>Cost and wheel life are searched only for the given part, not for other stocks within one infeed or for the batch.</source>
             <translation>Стоимость и стойкость круга ищутся для детали, как она задана: только для её припуска и без партии.</translation>
         </message>
         <message>
@@ -8080,15 +8080,15 @@ With another name both versions stay as they are.</source>
             <translation>Врезной подаче нужны уровни.</translation>
         </message>
         <message>
-            <source>A stage would have more than %1 settings of its feeds: take fewer levels.</source>
+            <source>A stage would have more than %1 settings of its feeds: use fewer levels.</source>
             <translation>У ступени было бы более %1 сочетаний подач: задайте меньше уровней.</translation>
         </message>
         <message>
-            <source>The stock would have more than %1 steps: take a larger step.</source>
+            <source>The stock would have more than %1 steps: use a larger step.</source>
             <translation>У припуска было бы более %1 шагов: увеличьте шаг.</translation>
         </message>
         <message>
-            <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
+            <source>Work speed, dwells and spark-outs make more than %1 combinations: use fewer levels.</source>
             <translation>Частота вращения, выстои и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
@@ -8100,7 +8100,7 @@ With another name both versions stay as they are.</source>
             <translation>При всех частотах вращения заготовки в поиске отношение частот круга и детали ближе к целому числу, чем допускает «%1» (%2): измените это значение или «%3».</translation>
         </message>
         <message>
-            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
+            <source>The stock cannot be divided into these numbers of stages: use a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
         <message>
@@ -8220,7 +8220,7 @@ With another name both versions stay as they are.</source>
             <translation>диапазон станка не задан.</translation>
         </message>
         <message>
-            <source>allowed is %1.</source>
+            <source>allowed: %1.</source>
             <translation>допускается %1.</translation>
         </message>
         <message>
@@ -8232,7 +8232,7 @@ With another name both versions stay as they are.</source>
             <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
-            <source>Margins by time are searched by the exact search alone (%1).</source>
+            <source>Margins by time are searched only by the exact search (%1).</source>
             <translation>Запасы по времени ищет только точный поиск (%1).</translation>
         </message>
         <message>
@@ -8327,7 +8327,7 @@ With another name both versions stay as they are.</source>
             <translation>Метод меток</translation>
         </message>
         <message>
-            <source>Proves from few runs that no cycle of the grid is better: what cannot be fit or quicker is not run</source>
+            <source>Proves from few runs that no cycle of the grid is better: cycles that cannot be fit or quicker are not run</source>
             <translation>Доказывает немногими расчётами, что лучшего цикла в сетке нет: то, что не может выдержать требования или быть быстрее, не рассчитывается</translation>
         </message>
         <message>
@@ -8529,7 +8529,7 @@ With another name both versions stay as they are.</source>
             <translation>Откалиброванные исходные данные</translation>
         </message>
         <message>
-            <source>A cycle that the calibration has not used</source>
+            <source>A cycle not used for the calibration</source>
             <translation>Цикл, не использованный при калибровке</translation>
         </message>
         <message>
@@ -8604,11 +8604,11 @@ With another name both versions stay as they are.</source>
             <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
         </message>
         <message>
-            <source>Each requirement allows a maximum depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
+            <source>Each requirement allows a maximum depth of cut; the formulas below show its origin. Roughness limits only the last cut of the cycle.</source>
             <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
         </message>
         <message>
-            <source>Each requirement allows a maximum depth of cut; the formulas below say where it comes from.</source>
+            <source>Each requirement allows a maximum depth of cut; the formulas below show its origin.</source>
             <translation>Каждое требование допускает свою наибольшую подачу; откуда она берётся, показывают формулы ниже.</translation>
         </message>
         <message>
@@ -9825,7 +9825,7 @@ With another name both versions stay as they are.</source>
             <translation>Ступень</translation>
         </message>
         <message>
-            <source>Specific energy below %2 J/mm³ (stage %1): too little to be true; the wheel&apos;s dullness or the flow stress may be set too low.</source>
+            <source>Specific energy below %2 J/mm³ (stage %1) is implausibly low; the wheel&apos;s dullness or the flow stress may be set too low.</source>
             <translation>Удельная энергия ниже %2 Дж/мм³ (ступень %1): неправдоподобно мало; возможно, занижены степень затупления круга или интенсивность напряжений.</translation>
         </message>
         <message>
@@ -10483,19 +10483,19 @@ With another name both versions stay as they are.</source>
             <translation>Чем определено</translation>
         </message>
         <message>
-            <source>Parts that are not good</source>
+            <source>Rejected parts</source>
             <translation>Негодных деталей</translation>
         </message>
         <message>
-            <source>Share of parts that are not good</source>
+            <source>Share of rejected parts</source>
             <translation>Доля негодных деталей</translation>
         </message>
         <message>
-            <source>Share that is not good, 95 % from</source>
+            <source>Share of rejected parts, 95 % from</source>
             <translation>Доля негодных, 95 % от</translation>
         </message>
         <message>
-            <source>Share that is not good, 95 % to</source>
+            <source>Share of rejected parts, 95 % to</source>
             <translation>Доля негодных, 95 % до</translation>
         </message>
         <message>
@@ -10624,7 +10624,7 @@ With another name both versions stay as they are.</source>
             <translation>Ограничивающие требования</translation>
         </message>
         <message>
-            <source>Factors and verdict, statistics, rejects by cause, what matters most, histograms and the worst part, each on a sheet of its own.</source>
+            <source>Factors and verdict, statistics, rejects by cause, influence of the factors, histograms and the worst part, each on a sheet of its own.</source>
             <translation>Факторы и заключение, статистика, брак по причинам, влияние факторов, гистограммы и худшая деталь — каждое на отдельном листе.</translation>
         </message>
         <message>
@@ -10640,8 +10640,8 @@ With another name both versions stay as they are.</source>
             <translation>Запас по времени</translation>
         </message>
         <message>
-            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and what binds, each on a sheet of its own.</source>
-            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и что ограничивает — каждое на отдельном листе.</translation>
+            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and the binding requirements, each on a sheet of its own.</source>
+            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и ограничивающие требования — каждое на отдельном листе.</translation>
         </message>
         <message>
             <source>Notes</source>
@@ -10897,7 +10897,7 @@ With another name both versions stay as they are.</source>
             <translation>припуск, оставшийся под срезом</translation>
         </message>
         <message>
-            <source>lag of the radius: what the wheel head is ahead of it</source>
+            <source>lag of the radius: the distance of the wheel head ahead of it</source>
             <translation>отставание радиуса: насколько шлифовальная бабка подана дальше него</translation>
         </message>
         <message>
@@ -10921,11 +10921,11 @@ With another name both versions stay as they are.</source>
             <translation>упругое отжатие системы</translation>
         </message>
         <message>
-            <source>deflection of all that yields</source>
+            <source>total deflection</source>
             <translation>отжатие всего, что податливо</translation>
         </message>
         <message>
-            <source>temperature rise of the surface that is just allowed</source>
+            <source>allowed temperature rise of the surface</source>
             <translation>предельно допустимый нагрев поверхности</translation>
         </message>
         <message>
@@ -10933,7 +10933,7 @@ With another name both versions stay as they are.</source>
             <translation>глубина прогрева за время контакта</translation>
         </message>
         <message>
-            <source>that stock over twice this depth</source>
+            <source>stock left over twice this depth</source>
             <translation>этот припуск, делённый на две таких глубины</translation>
         </message>
         <message>
@@ -11139,7 +11139,7 @@ With another name both versions stay as they are.</source>
             <translation>Поиграйте подачами</translation>
         </message>
         <message>
-            <source>Drag a slider and watch curves, time and margins follow. Undo takes a whole drag back.</source>
+            <source>Drag a slider and watch curves, time and margins follow. Undo reverts a whole drag.</source>
             <translation>Потяните ползунок и смотрите, как меняются кривые, время и запасы. Отмена возвращает перетаскивание целиком.</translation>
         </message>
         <message>
@@ -11163,7 +11163,7 @@ With another name both versions stay as they are.</source>
             <translation>Строка — ступень: подачи, припуск, выхаживание и время, которое она занимает. Введите число в ячейку — всё сразу пересчитается. На страницах выше — деталь, материал, круг, станок, ПАК и партия.</translation>
         </message>
         <message>
-            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The first tab sums the cycle up in bars; the others show form, limits, compliance, layers, a batch and compared runs.</source>
+            <source>Dashed: the feed of the program. Solid: the actual cut, zone by zone, which differs because everything yields. The first tab sums the cycle up in bars; the others show form, limits, compliance, layers, a batch and compared runs.</source>
             <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. Первая вкладка подводит итог цикла столбцами; на остальных — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
         </message>
         <message>
@@ -11564,11 +11564,11 @@ With another name both versions stay as they are.</source>
             <translation> При чётном числе граней: %1 мкм.</translation>
         </message>
         <message>
-            <source>; what the machine adds is not known</source>
+            <source>; the machine&apos;s share is not known</source>
             <translation>; без погрешности станка</translation>
         </message>
         <message>
-            <source>, with what the machine prints</source>
+            <source>, including the form that the machine prints</source>
             <translation>, с формой от станка</translation>
         </message>
     </context>
@@ -11824,7 +11824,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>&amp;Help on what is in focus</source>
+            <source>&amp;Help on the focused item</source>
             <translation>&amp;Справка по месту курсора</translation>
         </message>
         <message>
@@ -12055,7 +12055,7 @@ With another name both versions stay as they are.</source>
             <translation>Ход расчёта партии</translation>
         </message>
         <message>
-            <source>Figures of the batch</source>
+            <source>Quantities of the batch</source>
             <translation>Показатели партии</translation>
         </message>
         <message>
@@ -12087,7 +12087,7 @@ With another name both versions stay as they are.</source>
             <translation>Индексы Соболя</translation>
         </message>
         <message>
-            <source>How the weight of a factor is expressed</source>
+            <source>Measure of a factor&apos;s influence</source>
             <translation>Чем выражен вес фактора</translation>
         </message>
         <message>
@@ -12095,11 +12095,11 @@ With another name both versions stay as they are.</source>
             <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, что показывает R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
         </message>
         <message>
-            <source>Quantity across</source>
+            <source>Quantity on the horizontal axis</source>
             <translation>Показатель по горизонтали</translation>
         </message>
         <message>
-            <source>Quantity upwards</source>
+            <source>Quantity on the vertical axis</source>
             <translation>Показатель по вертикали</translation>
         </message>
         <message>
@@ -12667,8 +12667,8 @@ With another name both versions stay as they are.</source>
             <translation>Лучшее место: %1; там ни один диаметр не дальше %2 мкм от середины поля. Сейчас, на %3 мм: %4 мкм.</translation>
         </message>
         <message>
-            <source>Where to put the gauge</source>
-            <translation>Где поставить прибор</translation>
+            <source>Position of the gauge</source>
+            <translation>Положение прибора</translation>
         </message>
         <message>
             <source>Coupled against independent sections</source>
@@ -12691,7 +12691,7 @@ With another name both versions stay as they are.</source>
             <translation>Податливость задана по зонам или сечениям. Выберите «по жёсткости узлов и валу» на странице «Станок», чтобы увидеть, из чего она складывается.</translation>
         </message>
         <message>
-            <source>The compliance is given section by section, which does not determine how a force in one section moves another. Choose “from stiffness and shaft” on the page Machine.</source>
+            <source>The compliance is given section by section, which does not determine how a force in one section deflects another. Choose “from stiffness and shaft” on the page Machine.</source>
             <translation>Податливость задана по сечениям, а это не говорит, как одно сечение отжимает другое. Выберите «по жёсткости узлов и валу» на странице «Станок».</translation>
         </message>
     </context>
@@ -12722,11 +12722,11 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2): настройка сверяется с диапазоном станка.</translation>
         </message>
         <message>
-            <source>The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or sections help; the requirements below are of the whole cycle.</source>
+            <source>The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or sections help; the requirements below apply to the whole cycle.</source>
             <translation>Цикл слишком длинный для записи, проходы не показаны. Помогает меньше радиусов или сечений; требования ниже — по всему циклу.</translation>
         </message>
         <message>
-            <source>No limit of the feed is on, so any feed is allowed: enter the burn limit of the material, or the power of a drive. The links below lead to the fields.</source>
+            <source>No limit of the feed is active, so any feed is allowed: enter the burn limit of the material, or the power of a drive. The links below lead to the fields.</source>
             <translation>Подачу ничто не ограничивает: задайте температуру прижога материала или мощность привода. Ссылки внизу ведут к полям.</translation>
         </message>
         <message>
@@ -12778,11 +12778,11 @@ With another name both versions stay as they are.</source>
             <translation>Фактические подачи по логарифмической оси: выхаживание и далёкие пределы на одном графике</translation>
         </message>
         <message>
-            <source>Every zone, section and stage; else the worst of each requirement</source>
+            <source>Every zone, section and stage; otherwise the worst of each requirement</source>
             <translation>Все зоны, сечения и ступени; иначе худшее место каждого требования</translation>
         </message>
         <message>
-            <source>To the passes, the profile or the field behind the requirement; also Enter or a double click on its row</source>
+            <source>Goes to the passes, the profile or the field behind the requirement; also Enter or a double click on its row</source>
             <translation>К проходам, профилю или полю, от которых зависит требование; то же — Enter или двойной щелчок по строке</translation>
         </message>
         <message>
@@ -12947,7 +12947,7 @@ With another name both versions stay as they are.</source>
             <translation>Нет результатов</translation>
         </message>
         <message>
-            <source>There is no result of these inputs, so there is nothing to export. The messages say what is wrong with them.</source>
+            <source>There is no result of these inputs, so there is nothing to export. The messages list the faults.</source>
             <translation>С этими исходными данными результата нет, экспортировать нечего. Что в них не так, сказано в сообщениях.</translation>
         </message>
         <message>
@@ -13018,11 +13018,11 @@ With another name both versions stay as they are.</source>
             <translation>Результаты, показатели шлифования и требования</translation>
         </message>
         <message>
-            <source>The object that the command line prints of a run; its keys are the same in every language.</source>
+            <source>The object that the command line prints for a run; its keys are the same in every language.</source>
             <translation>Объект, который печатает о расчёте командная строка; его ключи на всех языках одинаковы.</translation>
         </message>
         <message>
-            <source>Every part on sheets of its own; the trace has %1 rows on %2 sheets, a row for every time a radius passed the wheel.</source>
+            <source>Every part on sheets of its own; the trace has %1 rows on %2 sheets, a row for every pass of a radius under the wheel.</source>
             <translation>Каждая часть на своих листах; в трассе %1 строк на %2 листах, по строке на каждое прохождение радиуса под кругом.</translation>
         </message>
         <message>
@@ -13030,7 +13030,7 @@ With another name both versions stay as they are.</source>
             <translation>Каждая часть на своём листе.</translation>
         </message>
         <message>
-            <source>One table; it has %1 rows, a row for every time a radius passed the wheel.</source>
+            <source>One table; it has %1 rows, a row for every pass of a radius under the wheel.</source>
             <translation>Одна таблица; в ней %1 строк, по строке на каждое прохождение радиуса под кругом.</translation>
         </message>
         <message>
@@ -13191,7 +13191,7 @@ With another name both versions stay as they are.</source>
             <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
         </message>
         <message>
-            <source>Over the whole cycle a point is a double stroke: feeds are summed over its passes, the force is that of its hardest pass. Closer, a point is one pass, and within one double stroke it is one radius under the wheel.</source>
+            <source>Over the whole cycle a point is a double stroke: feeds are summed over its passes, the force is that of its hardest pass. Zoomed in, a point is one pass, and within one double stroke it is one radius under the wheel.</source>
             <translation>На графике всего цикла точка — двойной ход: подачи просуммированы по его проходам, сила — наибольшая из средних по проходам. При увеличении точка — один проход, а в пределах одного двойного хода — один радиус под кругом.</translation>
         </message>
         <message>
@@ -13199,7 +13199,7 @@ With another name both versions stay as they are.</source>
             <translation>Программная подача всех сечений одинакова, различается их податливость.</translation>
         </message>
         <message>
-            <source>A point is one revolution, in long cycles several of them; closer, it is one radius under the wheel.</source>
+            <source>A point is one revolution, in long cycles several of them; zoomed in, it is one radius under the wheel.</source>
             <translation>Точка — один оборот, в длинных циклах несколько оборотов; при увеличении — один радиус под кругом.</translation>
         </message>
         <message>
@@ -13337,7 +13337,7 @@ With another name both versions stay as they are.</source>
             <translation>Выборочно</translation>
         </message>
         <message>
-            <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict is of the whole cycle.</source>
+            <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict applies to the whole cycle.</source>
             <translation>Цикл слишком длинный для построения: %1 прохождений радиусов, записывается не более %2. Помогает меньшее число радиусов или сечений; заключение относится ко всему циклу.</translation>
         </message>
         <message>
@@ -13447,7 +13447,7 @@ With another name both versions stay as they are.</source>
             <translation>Перезагрузить</translation>
         </message>
         <message>
-            <source>“%1” was removed or renamed by another program. The project now is in this window only.</source>
+            <source>“%1” was removed or renamed by another program. The project now exists only in this window.</source>
             <translation>«%1» удалён или переименован другой программой. Проект теперь есть только в этом окне.</translation>
         </message>
         <message>
@@ -13471,7 +13471,7 @@ With another name both versions stay as they are.</source>
             <translation>Это восстановленная работа от %1. Она ещё не сохранена.</translation>
         </message>
         <message>
-            <source>This is recovered work of %1 on “%2”. It is not saved yet; the file is as it was.</source>
+            <source>This is recovered work of %1 on “%2”. It is not saved yet; the file is unchanged.</source>
             <translation>Это восстановленная работа от %1 над «%2». Она ещё не сохранена; сам файл прежний.</translation>
         </message>
         <message>
@@ -13572,7 +13572,7 @@ With another name both versions stay as they are.</source>
             <translation>Основное время</translation>
         </message>
         <message>
-            <source>Against the time of your cycle: the current one, or the one that a cycle found took the place of</source>
+            <source>Compared with the time of your cycle: the current one, or the one that a found cycle replaced</source>
             <translation>По сравнению с временем вашего цикла: текущего или того, который заменил найденный</translation>
         </message>
         <message>
@@ -13612,11 +13612,11 @@ With another name both versions stay as they are.</source>
             <translation>Самый дешёвый для своего числа ступеней</translation>
         </message>
         <message>
-            <source>The one of the grid that keeps the wheel longest</source>
+            <source>The cycle of the grid with the longest wheel life</source>
             <translation>Тот из сетки, с которым круг работает дольше всего</translation>
         </message>
         <message>
-            <source>The one of its number of stages that keeps the wheel longest</source>
+            <source>The cycle of its number of stages with the longest wheel life</source>
             <translation>Для своего числа ступеней — тот, с которым круг работает дольше всего</translation>
         </message>
         <message>
@@ -13706,7 +13706,7 @@ yours, %</source>
             <translation>быстрее нет, доказано (%1)</translation>
         </message>
         <message>
-            <source>how the wheel wears is not given</source>
+            <source>the wear of the wheel is not given</source>
             <translation>износ круга не задан</translation>
         </message>
         <message>
@@ -13714,7 +13714,7 @@ yours, %</source>
             <translation>в среднем %1 на деталь</translation>
         </message>
         <message>
-            <source>the next part breaks: %1</source>
+            <source>the next part does not meet: %1</source>
             <translation>следующая деталь нарушит: %1</translation>
         </message>
         <message>
@@ -13758,11 +13758,11 @@ yours, %</source>
             <translation>без непрерывной подачи</translation>
         </message>
         <message>
-            <source>the wheel head may draw back</source>
+            <source>the wheel head may retract</source>
             <translation>с отводом шлифовальной бабки</translation>
         </message>
         <message>
-            <source>the wheel head never draws back</source>
+            <source>the wheel head never retracts</source>
             <translation>без отвода шлифовальной бабки</translation>
         </message>
         <message>
@@ -13806,8 +13806,8 @@ yours, %</source>
             <translation>Между уровнями</translation>
         </message>
         <message>
-            <source>that none is quicker is not proved</source>
-            <translation>что быстрее нет, не доказано</translation>
+            <source>not proved to be the quickest</source>
+            <translation>не доказано, что самый быстрый</translation>
         </message>
         <message>
             <source>nothing quicker was found</source>
@@ -13926,8 +13926,8 @@ parts, ≤ %</source>
             <translation>%1, оборот %2</translation>
         </message>
         <message>
-            <source>Where the cycle stands: %1, k = %2</source>
-            <translation>Где стоит цикл: %1, k = %2</translation>
+            <source>Current moment of the cycle: %1, k = %2</source>
+            <translation>Текущий момент цикла: %1, k = %2</translation>
         </message>
         <message>
             <source>The deepest cut of a stage: %1, k = %2</source>
@@ -13938,7 +13938,7 @@ parts, ≤ %</source>
             <translation>Наибольшая подача цикла: %1, k = %2</translation>
         </message>
         <message>
-            <source>&amp;What is printed:</source>
+            <source>&amp;Contents:</source>
             <translation>&amp;Что печатается:</translation>
         </message>
         <message>
@@ -13950,7 +13950,7 @@ parts, ≤ %</source>
             <translation>Раздаточный материал с результатами</translation>
         </message>
         <message>
-            <source>Worksheet: results are left to write</source>
+            <source>Worksheet: results are left empty</source>
             <translation>Рабочий лист: результаты впишет студент</translation>
         </message>
         <message>
@@ -14176,8 +14176,8 @@ parts, ≤ %</source>
             <translation>Состояние слоёв</translation>
         </message>
         <message>
-            <source>How much has come off</source>
-            <translation>Сколько снято</translation>
+            <source>Accumulated removal</source>
+            <translation>Накопленный съём</translation>
         </message>
         <message>
             <source>Values under the mouse</source>
@@ -14693,7 +14693,7 @@ target, µm</source>
             <translation>Заполнить по маркировке</translation>
         </message>
         <message>
-            <source>Take grain, grain share and sizes as far as the marking gives them</source>
+            <source>Sets grain, grain share and sizes as far as the marking states them</source>
             <translation>Задать зерно, долю зерна и размеры по маркировке</translation>
         </message>
     </context>
@@ -14893,7 +14893,7 @@ target, µm</source>
             <translation>По ступеням вала, сплошная сталь 7850 кг/м³: около %1 кг. Оценка.</translation>
         </message>
         <message>
-            <source>Take the estimate</source>
+            <source>Apply the estimate</source>
             <translation>Применить оценку</translation>
         </message>
         <message>
@@ -14901,7 +14901,7 @@ target, µm</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
-            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock</source>
+            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is fit for the batch, or without one for every stock</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков</translation>
         </message>
         <message>
@@ -14913,11 +14913,11 @@ target, µm</source>
             <translation>Измерено по зонам или сечениям, среднее в мкм: отклонение от круглости и радиальное биение %1. Число граней не измерялось.</translation>
         </message>
         <message>
-            <source>Take it as the machine&apos;s form</source>
+            <source>Apply it as the machine&apos;s form</source>
             <translation>Задать форму от станка</translation>
         </message>
         <message>
-            <source>In a cycle with spark-out, the form left by the process itself is small beside it; the number of lobes must be entered</source>
+            <source>In a cycle with spark-out, the form left by the process itself is small in comparison; the number of lobes must be entered</source>
             <translation>После выхаживания вклад самого процесса рядом с ней мал; число граней нужно задать</translation>
         </message>
     </context>
@@ -14944,11 +14944,11 @@ target, µm</source>
             <translation>Наведите указатель на число ступеней, чтобы прочитать время.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the search is that of the last accepted ones.</source>
+            <source>The inputs are refused; the search is that of the last valid inputs.</source>
             <translation>Данные не приняты; поиск — по последним верным.</translation>
         </message>
         <message>
-            <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that meets every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
+            <source>This project defines no search. A search tries every listed feed and stock of the stages and finds the quickest cycle that meets every requirement. Choose them on the page Search of the inputs, or start with typical ones.</source>
             <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с типовых.</translation>
         </message>
         <message>
@@ -15016,7 +15016,7 @@ target, µm</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the search; the best so far is kept and shown</source>
+            <source>Stop the search; the best so far is kept and shown</source>
             <translation>Закончить поиск; лучший найденный цикл сохраняется и показывается</translation>
         </message>
         <message>
@@ -15024,7 +15024,7 @@ target, µm</source>
             <translation>Применить этот цикл</translation>
         </message>
         <message>
-            <source>Put the chosen cycle in the place of the current one; undo brings yours back</source>
+            <source>Replaces the current cycle with the chosen one; undo restores yours</source>
             <translation>Поставить выбранный цикл на место текущего; отмена вернёт ваш</translation>
         </message>
         <message>
@@ -15032,7 +15032,7 @@ target, µm</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>
-            <source>The cycle must be fit for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
+            <source>The cycle must also be fit for stocks spread over one feed step of every stage: the size depends on the position of the last step</source>
             <translation>Цикл должен быть годен для всех припусков в пределах подачи на шаг каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>
@@ -15044,11 +15044,11 @@ target, µm</source>
             <translation>Между уровнями</translation>
         </message>
         <message>
-            <source>Go on from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but that none is quicker is not proved</source>
+            <source>Continue from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but the result is not proved to be the quickest</source>
             <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
         </message>
         <message>
-            <source>The inputs are refused; the grid is that of the last accepted ones.</source>
+            <source>The inputs are refused; the grid is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; сетка — по последним верным.</translation>
         </message>
         <message>
@@ -15068,7 +15068,7 @@ target, µm</source>
             <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
         </message>
         <message>
-            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock; can be undone and changed on the pages Search and Cycle</source>
+            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is fit for the batch, or without one for every stock; can be undone and changed on the pages Search and Cycle</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
@@ -15247,7 +15247,7 @@ target, µm</source>
             <translation>На шаг назад</translation>
         </message>
         <message>
-            <source>One step on</source>
+            <source>One step forward</source>
             <translation>На шаг вперёд</translation>
         </message>
         <message>
@@ -15544,7 +15544,7 @@ target, µm</source>
             <translation>Что показано</translation>
         </message>
         <message>
-            <source>Zone or section to look at</source>
+            <source>Zone or section to show</source>
             <translation>Рассматриваемая зона или сечение</translation>
         </message>
         <message>
@@ -15556,7 +15556,7 @@ target, µm</source>
             <translation>Увеличение отклонений, одно для всех; ×1 — истинная форма</translation>
         </message>
         <message>
-            <source>Radius the deviations are counted from: the target shows size and form, the own mean shows form alone</source>
+            <source>Radius from which deviations are measured: the target shows size and form, the own mean shows only form</source>
             <translation>От какого радиуса отсчитаны отклонения: от целевого — видны размер и форма, от своего среднего — только форма</translation>
         </message>
         <message>
@@ -15576,7 +15576,7 @@ target, µm</source>
             <translation>Вдоль оси: отклонения радиусов от целевого или диаметров от номинала</translation>
         </message>
         <message>
-            <source>The part along its axis with nothing exaggerated</source>
+            <source>The part along its axis without exaggeration</source>
             <translation>Деталь вдоль оси без увеличения отклонений</translation>
         </message>
         <message>
@@ -15891,7 +15891,7 @@ target, µm</source>
             <translation>&amp;Позже</translation>
         </message>
         <message>
-            <source>Work that was not saved was found. Recovering opens it here, still unsaved; your own files are not touched.</source>
+            <source>Work that was not saved was found. Recovering opens it here, still unsaved; your own files stay unchanged.</source>
             <translation>Найдена несохранённая работа. Восстановленный проект откроется здесь и останется несохранённым; ваши файлы не изменятся.</translation>
         </message>
         <message>
@@ -15914,7 +15914,7 @@ target, µm</source>
             <translation>Нет отчёта</translation>
         </message>
         <message>
-            <source>There is no result of these inputs, so there is nothing to report. The messages say what is wrong with them.</source>
+            <source>There is no result of these inputs, so there is nothing to report. The messages list the faults.</source>
             <translation>По этим данным результата нет, поэтому отчёт составить не из чего. Что в них не так, сказано в сообщениях.</translation>
         </message>
         <message>
@@ -15998,7 +15998,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>Show what differs</source>
+            <source>Show the differences</source>
             <translation>Показать различия</translation>
         </message>
         <message>
@@ -16041,12 +16041,12 @@ target, µm</source>
             <translation>считается…</translation>
         </message>
         <message>
-            <source>refused now</source>
+            <source>refused by this version</source>
             <translation>теперь отклонён</translation>
         </message>
         <message>
-            <source>differs now</source>
-            <translation>теперь иначе</translation>
+            <source>results differ</source>
+            <translation>результаты отличаются</translation>
         </message>
         <message>
             <source>Current run, always drawn</source>
@@ -16192,7 +16192,7 @@ target, µm</source>
     <context>
         <name>sparkout::ShopSection</name>
         <message>
-            <source>Grinding figures by stage</source>
+            <source>Grinding quantities by stage</source>
             <translation>Показатели шлифования по ступеням</translation>
         </message>
         <message>
@@ -16207,7 +16207,7 @@ target, µm</source>
             <translation>круг</translation>
         </message>
         <message>
-            <source>surface, given way</source>
+            <source>surface under load</source>
             <translation>поверхность под нагрузкой</translation>
         </message>
         <message>
@@ -16447,11 +16447,11 @@ target, µm</source>
             <translation>%1 B</translation>
         </message>
         <message>
-            <source>It may be typed as 12 mm/rev or 0.3B, too.</source>
+            <source>12 mm/rev or 0.3B may also be typed.</source>
             <translation>Можно ввести и так: 12 мм/об или 0,3B.</translation>
         </message>
         <message>
-            <source>It may be typed as 0.005 mm/rev, too.</source>
+            <source>0.005 mm/rev may also be typed.</source>
             <translation>Можно ввести и так: 0,005 мм/об.</translation>
         </message>
     </context>
@@ -16462,7 +16462,7 @@ target, µm</source>
             <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
-            <source>The wheel is fed all the time while the table travels; each stage has a column for it.</source>
+            <source>The wheel is fed continuously while the table travels; each stage has a column for it.</source>
             <translation>Круг подаётся всё время движения стола; у каждой ступени для этого есть столбец.</translation>
         </message>
         <message>
@@ -16506,7 +16506,7 @@ target, µm</source>
             <translation>Исходный цикл</translation>
         </message>
         <message>
-            <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin with for this part, wheel and machine; an estimate</source>
+            <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would first set them for this part, wheel and machine; an estimate</source>
             <translation>Частота вращения заготовки, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
         </message>
         <message>
@@ -16526,7 +16526,7 @@ target, µm</source>
             <translation>Черновую глубину резания, %1, ограничивает %2; обычная — %3.</translation>
         </message>
         <message>
-            <source>Edited: the cycle no longer follows the drawing. “%1” makes it anew.</source>
+            <source>Edited: the cycle no longer follows the drawing. “%1” creates a new one.</source>
             <translation>Изменено: цикл больше не меняется вместе с чертежом. «%1» строит его заново.</translation>
         </message>
         <message>
@@ -16614,7 +16614,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop the run; the results so far are kept</source>
-            <translation>Прервать расчёт; рассчитанное раньше остаётся</translation>
+            <translation>Остановить расчёт; рассчитанное сохраняется</translation>
         </message>
         <message>
             <source>Result</source>
@@ -16928,7 +16928,7 @@ target, µm</source>
             <translation>Выбранная точка</translation>
         </message>
         <message>
-            <source>The point whose values can be taken; a click in the plot chooses one, too</source>
+            <source>The point whose values can be applied; a click in the plot chooses one, too</source>
             <translation>Точка, значения которой можно применить; её выбирает и щелчок по графику</translation>
         </message>
         <message>
@@ -16956,7 +16956,7 @@ target, µm</source>
             <translation>Варьирование затупления круга от половины до двойного значения; можно отменить</translation>
         </message>
         <message>
-            <source>Take these values</source>
+            <source>Apply these values</source>
             <translation>Применить эти значения</translation>
         </message>
         <message>
@@ -17459,7 +17459,7 @@ target, µm</source>
             <translation>У него свои ступени, частота вращения заготовки, перебеги и выстои.</translation>
         </message>
         <message>
-            <source>, {bad} of {parts} bad</source>
+            <source>, {bad} of {parts} rejected</source>
             <translation>, брак {bad} из {parts}</translation>
         </message>
         <message>
@@ -17589,7 +17589,7 @@ target, µm</source>
             <translation>Поля с непринятым текстом</translation>
         </message>
         <message>
-            <source>What the table is of</source>
+            <source>Scope of the table</source>
             <translation>К чему относится таблица</translation>
         </message>
         <message>
@@ -17875,8 +17875,8 @@ target, µm</source>
             <translation>станок</translation>
         </message>
         <message>
-            <source>band: what binds</source>
-            <translation>что ограничивает</translation>
+            <source>band: binding requirement</source>
+            <translation>полоса: ограничивающее требование</translation>
         </message>
     </context>
     <context>
@@ -18383,7 +18383,7 @@ good</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
-            <source>Margin: that of the requirement nearest to its limit of those that are decided, below 0 where one fails.</source>
+            <source>Margin of the decided requirement nearest to its limit; below 0 if one is not met.</source>
             <translation>Запас — у ближайшего к пределу из определённых требований; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
@@ -18568,7 +18568,7 @@ good</source>
     <context>
         <name>sparkout::StiffnessOffer</name>
         <message>
-            <source>Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements that fail %4.</source>
+            <source>Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements not met %4.</source>
             <translation>Её влияние: γ %1 нм/Н; основное время %2; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
@@ -18584,7 +18584,7 @@ good</source>
             <translation>Влияние жёсткости</translation>
         </message>
         <message>
-            <source>Without it the stiffness of the project stays as it is; the other values of the machine are taken.</source>
+            <source>Without it the stiffness of the project stays as it is; the other values of the machine are applied.</source>
             <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка применяются.</translation>
         </message>
         <message>
@@ -18714,7 +18714,7 @@ good</source>
             <translation>допустимых нет</translation>
         </message>
         <message>
-            <source>%1 of %2 bad</source>
+            <source>%1 of %2 rejected</source>
             <translation>не годны %1 из %2</translation>
         </message>
         <message>
@@ -18785,7 +18785,7 @@ good</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
-            <source>Margin: that of the requirement nearest to its limit of those that are decided, below 0 where one fails.</source>
+            <source>Margin of the decided requirement nearest to its limit; below 0 if one is not met.</source>
             <translation>Запас — у ближайшего к пределу из определённых требований; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
@@ -18824,7 +18824,7 @@ good</source>
             <translation>&amp;Оптимизировать все</translation>
         </message>
         <message>
-            <source>Searches the quickest cycle of every surface in the order of grinding, as ticked in the view Optimise; a surface without a search gets a typical one</source>
+            <source>Finds the quickest cycle of every surface in the order of grinding, as ticked in the view Optimise; a surface without a search gets a typical one</source>
             <translation>Ищет быстрейший цикл каждой поверхности в порядке шлифования с отмеченными в виде «Оптимизация» условиями; поверхность без поиска получает типовой</translation>
         </message>
         <message>
@@ -19106,7 +19106,7 @@ good</source>
             <translation>есть зазор, и указана жёсткость после его выбора: выберите зазор перед нагружением</translation>
         </message>
         <message>
-            <source>the stiffness changes with the load, and what was found is a mean: load as the deepest cut does</source>
+            <source>the stiffness changes with the load, and the result is a mean: load as the deepest cut does</source>
             <translation>жёсткость меняется с нагрузкой, и найденная — средняя: нагружайте так, как самый глубокий проход</translation>
         </message>
         <message>
@@ -19291,7 +19291,7 @@ good</source>
             <translation>%1: %2</translation>
         </message>
         <message>
-            <source>%1: a mean known before needs its standard deviation, and the other way round.</source>
+            <source>%1: a mean known before needs its standard deviation, and vice versa.</source>
             <translation>%1: среднему, известному заранее, нужно стандартное отклонение, и наоборот.</translation>
         </message>
     </context>
@@ -19442,7 +19442,7 @@ good</source>
             <translation>Снимает отметки с неопределимых параметров</translation>
         </message>
         <message>
-            <source>Gives the inputs the values found, as one edit that can be undone, and marks them as calibrated</source>
+            <source>Applies the values found to the inputs, as one edit that can be undone, and marks them as calibrated</source>
             <translation>Заносит найденные значения в исходные данные одной правкой, которую можно отменить, и отмечает их как откалиброванные</translation>
         </message>
         <message>
@@ -19513,7 +19513,7 @@ good</source>
             <translation>Ra не измерено, или цикл не доходит до размера. Измеренное Ra попадает в проект вместе с деталями: «Импорт измерений…»</translation>
         </message>
         <message>
-            <source>Factor of Ra: %1, now %2 (n = %3).</source>
+            <source>Factor of Ra: %1, current %2 (n = %3).</source>
             <translation>Поправка Ra: %1, сейчас %2 (n = %3).</translation>
         </message>
         <message>
@@ -19521,11 +19521,11 @@ good</source>
             <translation>Интервал 95 %: %1.</translation>
         </message>
         <message>
-            <source>It holds for this wheel and its dressing: %1</source>
+            <source>It applies to this wheel and its dressing: %1</source>
             <translation>Она действует для этого круга и его правки: %1</translation>
         </message>
         <message>
-            <source>It holds for this wheel and its dressing.</source>
+            <source>It applies to this wheel and its dressing.</source>
             <translation>Она действует для этого круга и его правки.</translation>
         </message>
         <message numerus="yes">
@@ -19604,11 +19604,11 @@ good</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>There is nothing yet that the cycle could be fitted to: no recorded trace, no diameters of finished parts.
+            <source>The project has no data to fit the cycle to: no recorded trace, no diameters of finished parts.
 
 Import measurements… reads them from tables: the size at the gauge, the power of the wheel, the current of its spindle or the normal force over the time of one cycle, or the diameters of finished parts by zone or section.
 
-The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
+The size alone determines α and β, that is the compliance together with the force; the power adds its two shares; with the normal force compliance, flow stress and dullness are determined separately.</source>
             <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров готовых деталей.
 
 Команда «Импорт измерений…» читает их из таблиц: размер по прибору активного контроля, мощность привода круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
@@ -19949,7 +19949,7 @@ The size alone gives α and β, that is the compliance with the force together; 
     <context>
         <name>PassportMeasured</name>
         <message numerus="yes">
-            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part(s) of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</source>
+            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n part(s) of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</source>
             <translation>
                 <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n детали партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
                 <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n деталей партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
@@ -20108,11 +20108,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>&amp;Пропустить непринятые ячейки и импортировать остальное</translation>
         </message>
         <message>
-            <source>&amp;Add to what is measured</source>
+            <source>&amp;Add to the measurements</source>
             <translation>&amp;Добавить к измеренному</translation>
         </message>
         <message>
-            <source>&amp;Replace what is measured</source>
+            <source>&amp;Replace the measurements</source>
             <translation>&amp;Заменить измеренное</translation>
         </message>
         <message>
@@ -20347,7 +20347,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Расчёт партии для прогноза займёт время: нажмите «Рассчитать». Его можно остановить в любой момент.</translation>
         </message>
         <message>
-            <source>This project describes no batch, so the prediction is one part without scatter. Choose on the page Batch of the inputs what scatters.</source>
+            <source>This project describes no batch, so the prediction is one part without scatter. Choose the scattering factors on the page Batch of the inputs.</source>
             <translation>Партия в проекте не описана, поэтому прогноз — одна деталь без рассеяния. Выберите на странице «Партия», что рассеивается.</translation>
         </message>
         <message>
@@ -20451,7 +20451,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Калибровка…</translation>
         </message>
         <message>
-            <source>Fit compliance, force and wheel to what was measured</source>
+            <source>Fit compliance, force and wheel to the measurements</source>
             <translation>Подобрать податливость, силу и круг по измеренному</translation>
         </message>
     </context>
@@ -20612,11 +20612,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Введите отжатия или вставьте таблицу из места, нагрузки и отжатия: Ctrl+V</translation>
         </message>
         <message>
-            <source>Gives the machine the stiffness found, as one edit that can be undone, marks it as calibrated, and lets γ follow from it</source>
+            <source>Applies the stiffness found to the machine, as one edit that can be undone, and marks it as calibrated; γ then follows from it</source>
             <translation>Даёт станку найденные жёсткости одной правкой, которую можно отменить, отмечает их как откалиброванные, и γ вычисляется по ним</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct the faults in the messages.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
@@ -20688,7 +20688,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>95 %</translation>
         </message>
         <message>
-            <source>The trial is of an external surface and of a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending, which is computed, is taken off the readings.</source>
+            <source>The trial needs an external surface and a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending is computed and subtracted from the readings.</source>
             <translation>Опыт — для наружной поверхности и вала без люнетов, ступени которого заданы на странице «Деталь» исходных данных: его изгиб вычисляется и вычитается из показаний.</translation>
         </message>
         <message>
@@ -20732,7 +20732,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ход расчёта</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct the faults in the messages.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
@@ -21435,7 +21435,7 @@ s</source>
             <translation>предсказание после расчёта</translation>
         </message>
         <message>
-            <source>inputs changed that are not free</source>
+            <source>locked inputs changed</source>
             <translation>изменены закрытые исходные данные</translation>
         </message>
         <message>
@@ -21447,7 +21447,7 @@ s</source>
             <translation>проверка заняла слишком много времени: проверено не всё</translation>
         </message>
         <message>
-            <source>there is no name</source>
+            <source>the name is missing</source>
             <translation>нет имени</translation>
         </message>
         <message>
@@ -21490,7 +21490,7 @@ s</source>
             <translation>ни один цикл сетки не выполняет задание</translation>
         </message>
         <message>
-            <source>the best answer changes inputs that are not free</source>
+            <source>the best answer changes locked inputs</source>
             <translation>лучший ответ меняет закрытые исходные данные</translation>
         </message>
         <message>
@@ -21694,7 +21694,7 @@ s</source>
             <translation>Оставить ваше</translation>
         </message>
         <message>
-            <source>Do not take</source>
+            <source>Do not import</source>
             <translation>Не импортировать</translation>
         </message>
         <message>
@@ -21769,7 +21769,7 @@ s</source>
             <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
         </message>
         <message>
-            <source>There is a “%1” in the list already.</source>
+            <source>“%1” is already in the list.</source>
             <translation>«%1» уже есть в списке.</translation>
         </message>
         <message>
@@ -21781,7 +21781,7 @@ s</source>
             <translation>Лабораторные работы (*.sparkout-lesson)</translation>
         </message>
         <message>
-            <source>There is nothing of your own yet: no entry in the catalogues, no company and no laboratory work.</source>
+            <source>You have nothing to export yet: no entry in the catalogues, no company and no laboratory work.</source>
             <translation>Собственных данных пока нет: ни записей в каталогах, ни предприятия, ни лабораторных работ.</translation>
         </message>
         <message>
@@ -21789,7 +21789,7 @@ s</source>
             <translation>Ничего не выбрано.</translation>
         </message>
         <message>
-            <source>To go into the pack: %1.</source>
+            <source>To be exported: %1.</source>
             <translation>Войдёт в набор: %1.</translation>
         </message>
     </context>
@@ -21879,7 +21879,7 @@ s</source>
             <translation>Рассчитано</translation>
         </message>
         <message>
-            <source>%1: what was predicted beside what the engine computes</source>
+            <source>%1: the prediction beside the engine&apos;s result</source>
             <translation>%1: предсказание и расчёт</translation>
         </message>
         <message>
@@ -22002,7 +22002,7 @@ s</source>
             <translation>Взято подсказок: %1.</translation>
         </message>
         <message>
-            <source>The prediction came after what it predicts.</source>
+            <source>The prediction was handed in after the run.</source>
             <translation>Предсказание сделано после расчёта.</translation>
         </message>
         <message>
@@ -22258,7 +22258,7 @@ s</source>
             <translation>Дата</translation>
         </message>
         <message>
-            <source>For the teacher alone. Numbers of formulas and questions are those of the worksheet.</source>
+            <source>For the teacher only. Numbers of formulas and questions are those of the worksheet.</source>
             <translation>Только для преподавателя. Номера формул и вопросов — как в рабочем листе.</translation>
         </message>
         <message>
@@ -22309,7 +22309,7 @@ s</source>
             <translation>Методические указания</translation>
         </message>
         <message>
-            <source>For the teacher alone: it has the answers.</source>
+            <source>For the teacher only: it contains the answers.</source>
             <translation>Только для преподавателя: содержат ответы.</translation>
         </message>
         <message>
@@ -22365,7 +22365,7 @@ s</source>
             <translation>Норма времени и баллы</translation>
         </message>
         <message>
-            <source>The work takes %1 min, the defence included.</source>
+            <source>The work takes %1 min, including the defence.</source>
             <translation>На работу отводится %1 мин, включая защиту.</translation>
         </message>
         <message>
@@ -22540,11 +22540,11 @@ s</source>
             <translation>Составление варианта</translation>
         </message>
         <message>
-            <source>The lesson cannot be begun</source>
+            <source>The lesson cannot be started</source>
             <translation>Работу нельзя начать</translation>
         </message>
         <message>
-            <source>There is no such variant</source>
+            <source>This variant does not exist</source>
             <translation>Такого варианта нет</translation>
         </message>
         <message>
@@ -22788,7 +22788,7 @@ s</source>
             <translation>%1, строка %2: %3.</translation>
         </message>
         <message>
-            <source>There are more than %1 works; the first ones are taken.</source>
+            <source>There are more than %1 works; only the first ones are marked.</source>
             <translation>Работ больше %1; взяты первые.</translation>
         </message>
         <message>
@@ -22925,7 +22925,7 @@ s</source>
             <translation>Ваш прогноз, от наибольшего</translation>
         </message>
         <message>
-            <source>The largest first: drag them, or move them by the buttons.</source>
+            <source>The largest first: drag them, or move them with the buttons.</source>
             <translation>От наибольшего к наименьшему: перетащите или переставьте кнопками.</translation>
         </message>
         <message>
@@ -22956,7 +22956,7 @@ s</source>
             <translation>Начать лабораторную работу</translation>
         </message>
         <message>
-            <source>In the next step you choose the file your work is kept in: you hand that file in. Every answer is saved in it at once.</source>
+            <source>Next you choose the file of your work; hand in that file. Every answer is saved in it at once.</source>
             <translation>Далее выберите файл, в котором хранится работа: его вы и сдаёте. Каждый ответ сразу сохраняется в нём.</translation>
         </message>
         <message>
@@ -23058,7 +23058,7 @@ s</source>
             <translation>по именованным наборам</translation>
         </message>
         <message>
-            <source>Variants in all: %1</source>
+            <source>Total variants: %1</source>
             <translation>Всего вариантов: %1</translation>
         </message>
         <message>
@@ -23190,7 +23190,7 @@ s</source>
             <translation>По об&amp;разцу…</translation>
         </message>
         <message>
-            <source>A new laboratory work after one that there is</source>
+            <source>A new laboratory work based on an existing one</source>
             <translation>Новая работа по образцу имеющейся</translation>
         </message>
         <message>
@@ -23214,7 +23214,7 @@ s</source>
             <translation>&amp;Отменить</translation>
         </message>
         <message>
-            <source>Take the last change back</source>
+            <source>Undo the last change</source>
             <translation>Отменить последнее изменение</translation>
         </message>
         <message>
@@ -23222,11 +23222,11 @@ s</source>
             <translation>&amp;Повторить</translation>
         </message>
         <message>
-            <source>Make the change again</source>
+            <source>Redo the change</source>
             <translation>Вернуть отменённое изменение</translation>
         </message>
         <message>
-            <source>Take the &amp;project</source>
+            <source>Use the &amp;project</source>
             <translation>&amp;Включить проект</translation>
         </message>
         <message>
@@ -23254,32 +23254,32 @@ s</source>
             <translation>&amp;Добавить шаг</translation>
         </message>
         <message>
-            <source>A step after the one in front</source>
-            <translation>Шаг после открытого</translation>
+            <source>Adds a step after the current one</source>
+            <translation>Добавить шаг после текущего</translation>
         </message>
         <message>
             <source>Dup&amp;licate</source>
             <translation>Копирова&amp;ть</translation>
         </message>
         <message>
-            <source>The same step once more</source>
-            <translation>Такой же шаг ещё раз</translation>
+            <source>Duplicates the step</source>
+            <translation>Создать копию шага</translation>
         </message>
         <message>
             <source>Earl&amp;ier</source>
             <translation>Р&amp;аньше</translation>
         </message>
         <message>
-            <source>Before the step above</source>
-            <translation>Перед шагом, который выше</translation>
+            <source>Moves the step up</source>
+            <translation>Переместить шаг выше</translation>
         </message>
         <message>
             <source>Lat&amp;er</source>
             <translation>По&amp;зже</translation>
         </message>
         <message>
-            <source>After the step below</source>
-            <translation>После шага, который ниже</translation>
+            <source>Moves the step down</source>
+            <translation>Переместить шаг ниже</translation>
         </message>
         <message>
             <source>Re&amp;move</source>
@@ -23517,11 +23517,11 @@ s</source>
             <translation>врезанием – {value} мм</translation>
         </message>
         <message>
-            <source>no wheel of the catalogue would do</source>
+            <source>no wheel of the catalogue fits</source>
             <translation>в каталоге нет подходящего круга</translation>
         </message>
         <message>
-            <source>widths of the catalogue's wheels that would do: {value}</source>
+            <source>widths of the catalogue&apos;s wheels that fit: {value}</source>
             <translation>подходящая ширина кругов каталога: {value}</translation>
         </message>
     </context>
@@ -23562,7 +23562,7 @@ s</source>
             <translation>%1 мм на ∅%2 мм: паз %3°, начиная с %4°.</translation>
         </message>
         <message>
-            <source>It is %1 mm long; the model has it along all %2 mm that are ground.</source>
+            <source>It is %1 mm long; in the model it extends over the whole ground length of %2 mm.</source>
             <translation>Длина паза %1 мм; в модели он идёт по всей шлифуемой длине %2 мм.</translation>
         </message>
         <message>

@@ -90,7 +90,7 @@ const char* flagText(WorkFlag flag) {
     case WorkFlag::untrueRuns:
         return SPARKOUT_NOOP("Grading", "kept runs whose numbers are not the engine's");
     case WorkFlag::late: return SPARKOUT_NOOP("Grading", "a prediction after the run");
-    case WorkFlag::forbidden: return SPARKOUT_NOOP("Grading", "inputs changed that are not free");
+    case WorkFlag::forbidden: return SPARKOUT_NOOP("Grading", "locked inputs changed");
     case WorkFlag::missing: return SPARKOUT_NOOP("Grading", "nothing handed in");
     case WorkFlag::overBudget:
         return SPARKOUT_NOOP("Grading", "took too long: not all of it was checked");
@@ -112,7 +112,7 @@ const char* variantFaultText(VariantFault fault) {
     case VariantFault::noAnswer:
         return SPARKOUT_NOOP("Variants", "no cycle of the grid meets the goal");
     case VariantFault::notFree:
-        return SPARKOUT_NOOP("Variants", "the best answer changes inputs that are not free");
+        return SPARKOUT_NOOP("Variants", "the best answer changes locked inputs");
     case VariantFault::unattained:
         return SPARKOUT_NOOP("Variants",
                              "no value of a free input was found that gives the required quantity");
@@ -142,7 +142,7 @@ const char* lessonFaultText(LessonFault fault) {
 
 const char* groupFaultText(GroupFault::Kind kind) {
     switch (kind) {
-    case GroupFault::Kind::noName: return SPARKOUT_NOOP("Grading", "there is no name");
+    case GroupFault::Kind::noName: return SPARKOUT_NOOP("Grading", "the name is missing");
     case GroupFault::Kind::twice: return SPARKOUT_NOOP("Grading", "this student is listed twice");
     case GroupFault::Kind::tooMany: return SPARKOUT_NOOP("Grading", "there are more than 1000");
     case GroupFault::Kind::empty: return SPARKOUT_NOOP("Grading", "there are no students");
@@ -159,7 +159,7 @@ std::string keptRunSentence(const KeptRunCheck& check) {
                + issueSentence(check.issues.front());
     }
     if (!check.isReadable) {
-        return "it holds no numbers that can be read";
+        return "it contains no readable numbers";
     }
     constexpr std::size_t listed = 3;
     std::string text = std::to_string(check.changed.size())

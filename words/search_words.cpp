@@ -149,8 +149,7 @@ std::string SearchWording::state(const SearchState& state) const {
         said.push_back(filled(SPARKOUT_NOOP("Search", "none below %1"), {time(state.bound_s)}));
     }
     if (state.share > 0) {
-        said.push_back(
-            filled(SPARKOUT_NOOP("Search", "%1 % gone through"), {percent(state.share)}));
+        said.push_back(filled(SPARKOUT_NOOP("Search", "%1 % searched"), {percent(state.share)}));
     }
     if (state.evaluations > 0) {
         said.push_back(filled(SPARKOUT_NOOP("Search", "%1 judged"), {whole(state.evaluations)}));
@@ -219,11 +218,11 @@ std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion
     case SearchStateFault::otherVersion:
         return "is the progress of a search by another version of this program";
     case SearchStateFault::changed:
-        return "is damaged: its checksum is not that of its contents; delete it to begin anew";
+        return "is damaged: its checksum is not that of its contents; delete it to start again";
     case SearchStateFault::badValue:
         return "is damaged: " + printable(read.value.path) + ": " + printable(read.value.found)
                + "; allowed: " + read.value.least + "…" + read.value.most
-               + "; delete it to begin anew";
+               + "; delete it to start again";
     case SearchStateFault::otherEngine:
         return "is the progress of a search by another build of this program, "
                + printable(read.question.engine) + "; this one is " + asked.engine;
@@ -245,8 +244,9 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
         return translated(
             isHeuristic(outcome.method)
                 ? SPARKOUT_NOOP("Search", "This method searches only for the minimum time.")
-                : SPARKOUT_NOOP("Search", "The refinement between the levels looks "
-                                          "for the minimum time alone."));
+                : SPARKOUT_NOOP(
+                    "Search",
+                    "The refinement between the levels looks only for the minimum time."));
     }
     switch (outcome.objectiveFault) {
     case ObjectiveFault::none: break;
@@ -254,11 +254,11 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
         return translated(SPARKOUT_NOOP("Search", "The minimum cost needs the cost of a part."));
     case ObjectiveFault::otherAim:
         return translated(SPARKOUT_NOOP("Search", "The maximum margin within a time is searched "
-                                                  "with the objective “minimum time” alone."));
+                                                  "only with the objective “minimum time”."));
     case ObjectiveFault::otherParts:
         return translated(
-            SPARKOUT_NOOP("Search", "Cost and wheel life are searched for the given part alone, "
-                                    "not for other stocks within one infeed or for the batch."));
+            SPARKOUT_NOOP("Search", "Cost and wheel life are searched only for the given part, not "
+                                    "for other stocks within one infeed or for the batch."));
     }
     switch (outcome.fault) {
     case GridFault::none: break;
@@ -269,22 +269,23 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
                               ? SPARKOUT_NOOP("Search", "Both feeds need levels.")
                               : SPARKOUT_NOOP("Search", "The plunge feed needs levels."));
     case GridFault::tooManyLevels:
-        return filled(SPARKOUT_NOOP("Search", "A stage would have more than %1 settings of its "
-                                              "feeds: take fewer levels."),
-                      {whole(std::llround(mostSettings))});
+        return filled(
+            SPARKOUT_NOOP(
+                "Search",
+                "A stage would have more than %1 settings of its feeds: use fewer levels."),
+            {whole(std::llround(mostSettings))});
     case GridFault::tooManySteps:
-        return filled(SPARKOUT_NOOP("Search", "The stock would have more than %1 steps: take a "
-                                              "larger step."),
-                      {whole(std::llround(mostStockSteps))});
+        return filled(
+            SPARKOUT_NOOP("Search", "The stock would have more than %1 steps: use a larger step."),
+            {whole(std::llround(mostStockSteps))});
     case GridFault::tooManyVariants:
-        return filled(SPARKOUT_NOOP("Search", "Work speed, dwells and spark-outs make more than "
-                                              "%1 combinations: take fewer levels."),
+        return filled(SPARKOUT_NOOP("Search", "Work speed, dwells and spark-outs make more than %1 "
+                                              "combinations: use fewer levels."),
                       {whole(std::llround(mostVariants))});
     case GridFault::noDivision:
-        return translated(SPARKOUT_NOOP("Search",
-                                        "The stock cannot be divided into these numbers of stages: "
-                                        "take a smaller step, or other limits of the stages' feeds "
-                                        "and stocks."));
+        return translated(SPARKOUT_NOOP(
+            "Search", "The stock cannot be divided into these numbers of stages: use a smaller "
+                      "step, or other limits of the stages' feeds and stocks."));
     case GridFault::wholeRatio: return wholeRatio(outcome.project);
     }
     return {};
@@ -426,7 +427,7 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
     lines.push_back(filled("Parts per dressing: %1; %2 each on average.",
                            {parts(*best.held), time(best.held->meanTime_s)}));
     if (best.held->end) {
-        lines.push_back(filled("The next part breaks: %1.", {requirement(*best.held->end)}));
+        lines.push_back(filled("The next part does not meet: %1.", {requirement(*best.held->end)}));
     } else if (!best.held->isEndless && !best.held->isAll) {
         lines.push_back("The next part does not reach its size.");
     }
@@ -516,8 +517,8 @@ void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::stri
     }
     if (!outcome.searched.operation->travels) {
         lines.push_back(cycles.drawBack
-                            ? "The limit is also valid for cycles that draw the wheel head back."
-                            : "The limit is valid for cycles that never draw the wheel head back.");
+                            ? "The limit is also valid for cycles that retract the wheel head."
+                            : "The limit is valid for cycles that never retract the wheel head.");
     }
     lines.push_back(
         cycles.sparkOut
@@ -588,9 +589,8 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
                                         {value(*edge.machine)})
                 : edge.isOfStage
                     ? translated(SPARKOUT_NOOP("Search", "the machine's range is not given."))
-                : edge.limit
-                    ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                    : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
+                : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed: %1."), {value(*edge.limit)})
+                             : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         lines.push_back(std::move(line));
     }
     addSettingEdges(outcome, lines);
@@ -629,9 +629,8 @@ void SearchWording::addSettingEdges(const SearchOutcome& outcome,
                    {setting(edge.key), value(edge.level)});
         line += ' ';
         line += edge.isLimit ? translated(SPARKOUT_NOOP("Search", "no other is allowed."))
-                : edge.limit
-                    ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                    : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
+                : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed: %1."), {value(*edge.limit)})
+                             : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         lines.push_back(std::move(line));
     }
 }
@@ -721,7 +720,7 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
     }
     if (isHeuristic(outcome.method)) {
         return filled(
-            SPARKOUT_NOOP("Search", "Margins by time are searched by the exact search alone (%1)."),
+            SPARKOUT_NOOP("Search", "Margins by time are searched only by the exact search (%1)."),
             {method(SearchMethod::pruned)});
     }
     const std::vector<const FoundCycle*> points = outcome.front();

@@ -219,7 +219,7 @@ private slots:
         const Outcome outcome = run({"batch", m_file, "--sensitivity", "8"});
         QCOMPARE(outcome.status, 0);
         for (const char* word :
-             {"50 of 50 parts, completed", "verdict ", "not good", "worst part", "stock_mm",
+             {"50 of 50 parts, completed", "verdict ", "rejected", "worst part", "stock_mm",
               "rz1 diameter, µm", "Ppk", "normality (Shapiro-Wilk) p", "rank regression",
               "Sobol indices, first and total"}) {
             QVERIFY2(has(outcome.out, word), word);

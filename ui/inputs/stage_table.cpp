@@ -91,7 +91,7 @@ void StageTable::retranslate() {
     ListTable::retranslate();
     m_continuous->setText(tr("Continuous infeed"));
     m_continuous->setToolTip(QStringLiteral("<p>%1</p>")
-                                 .arg(tr("The wheel is fed all the time while the table travels; "
+                                 .arg(tr("The wheel is fed continuously while the table travels; "
                                          "each stage has a column for it.")));
     m_sparkOut->setText(tr("+ Spark-out"));
     m_sparkOut->setToolTip(tr("Adds a spark-out after the last feed; the stocks stay as they are"));
@@ -100,7 +100,7 @@ void StageTable::retranslate() {
     m_start->setToolTip(
         QStringLiteral("<p>%1</p>")
             .arg(tr("Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would "
-                    "begin with for this part, wheel and machine; an estimate")));
+                    "first set them for this part, wheel and machine; an estimate")));
     m_start->setAccessibleDescription(m_start->toolTip());
     m_follows->setAccessibleName(tr("Whether the cycle follows the drawing"));
     showFollows();
@@ -119,7 +119,7 @@ void StageTable::showFollows() {
                           roughDepthText()},
                          QStringLiteral(" "))
         : m_hasFollowed && document().newFaults().empty()
-            ? tr("Edited: the cycle no longer follows the drawing. “%1” makes it anew.")
+            ? tr("Edited: the cycle no longer follows the drawing. “%1” creates a new one.")
                   .arg(m_start->text())
             : QString());
     m_follows->setVisible(!m_follows->text().isEmpty());

@@ -94,7 +94,7 @@ StiffnessOffer::StiffnessOffer(Project project, QWidget* parent)
                                 "not used there. This removes the given compliance; γ then follows "
                                 "from the stiffness of the machine and from the shaft.")
                            : tr("Without it the stiffness of the project stays as it is; the other "
-                                "values of the machine are taken."));
+                                "values of the machine are applied."));
     m_effect->setObjectName(QStringLiteral("stiffnessEffect"));
     m_effect->setTextFormat(Qt::PlainText);
     m_effect->setWordWrap(true);
@@ -160,7 +160,7 @@ void StiffnessOffer::showEffect(const OutcomePtr& before, const OutcomePtr& afte
         return;
     }
     m_effect->setText(tr("Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; "
-                         "requirements that fail %4.")
+                         "requirements not met %4.")
                           .arg(beforeAndAfter(before, after, gammasShown),
                                beforeAndAfter(before, after, timeShown),
                                beforeAndAfter(before, after, deviationsShown),

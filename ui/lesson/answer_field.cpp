@@ -217,7 +217,7 @@ void OrderAnswer::showResult(const GoalResult& result) {
 void OrderAnswer::retranslate() {
     const bool isDone = !m_found.empty();
     m_note->setText(isDone ? tr("Your prediction, the largest first")
-                           : tr("The largest first: drag them, or move them by the buttons."));
+                           : tr("The largest first: drag them, or move them with the buttons."));
     m_list->setAccessibleName(tr("Your prediction, the largest first"));
     m_result->setAccessibleName(tr("Result of the run, the largest first"));
     m_resultLabel->setText(tr("Result of the run, the largest first"));

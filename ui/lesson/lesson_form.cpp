@@ -224,7 +224,7 @@ void LessonForm::addBeside(QHBoxLayout& line, const Row& row, std::optional<std:
     showBy(row, [label, item](const void* owner) {
         const auto& rules = *static_cast<const VariantRules*>(owner);
         if (!item) {
-            label->setText(tr("Variants in all: %1").arg(printedNumber(variantCount(rules))));
+            label->setText(tr("Total variants: %1").arg(printedNumber(variantCount(rules))));
         } else if (*item < rules.inputs.size()) {
             const VariedInput& input = rules.inputs[*item];
             label->setText(tr("Levels: %1")

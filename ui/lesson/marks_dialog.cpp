@@ -312,7 +312,8 @@ void MarksDialog::add(const QStringList& paths) {
     m_works.sort();
     if (m_works.size() > mostWorks) {
         m_works = m_works.mid(0, mostWorks);
-        faults += tr("There are more than %1 works; the first ones are taken.").arg(mostWorks);
+        faults +=
+            tr("There are more than %1 works; only the first ones are marked.").arg(mostWorks);
     }
     showInputs();
     if (!faults.isEmpty()) {

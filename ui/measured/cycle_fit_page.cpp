@@ -195,8 +195,7 @@ QString ParameterChoice::fault() const {
             }
         }
         if (row.mean->value().has_value() != row.deviation->value().has_value()) {
-            return tr("%1: a mean known before needs its standard deviation, and the other way "
-                      "round.")
+            return tr("%1: a mean known before needs its standard deviation, and vice versa.")
                 .arg(row.box->text());
         }
     }
@@ -359,8 +358,8 @@ QWidget* CycleFitPage::buildButtons() {
     m_fitTimes->setObjectName(QStringLiteral("fitTimes"));
     m_fitTimes->setToolTip(tr("Checks what was left out, and fits again"));
     m_take->setObjectName(QStringLiteral("fitTake"));
-    m_take->setToolTip(tr("Gives the inputs the values found, as one edit that can be undone, and "
-                          "marks them as calibrated"));
+    m_take->setToolTip(tr("Applies the values found to the inputs, as one edit that can be undone, "
+                          "and marks them as calibrated"));
     m_fault->setObjectName(QStringLiteral("fitFault"));
     m_fault->setTextFormat(Qt::PlainText);
     m_fault->setWordWrap(true);

@@ -150,8 +150,8 @@ void TrialPage::follow() {
     const bool runs = m_job.running();
     QString fault;
     if (!canRunTrials(m_project)) {
-        fault =
-            tr("Inputs of the project are missing or wrong: first correct what the messages name.");
+        fault = tr("Inputs of the project are missing or wrong: first correct the faults in the "
+                   "messages.");
     } else if (parameters().empty()) {
         fault = tr("No parameter is chosen.");
     }

@@ -253,8 +253,8 @@ Table wayBackTable(const StateGrid& grid) {
 
 Table wrongStatesTable(const ExactAnswer& exact) {
     Table table;
-    table.head =
-        QStringList{StateGridSheet::tr("State"), StateGridSheet::tr("Where the rule is wrong")};
+    table.head = QStringList{StateGridSheet::tr("State"),
+                             StateGridSheet::tr("States in which the rule is wrong")};
     table.texts = {true, true};
     for (const StateDifference& fault : exact.faults) {
         table.rows.push_back(

@@ -33,7 +33,7 @@ public:
                   PageStyle::sheet) {}
 
     Report write() {
-        m_paper.say(tr("For the teacher alone: it has the answers."));
+        m_paper.say(tr("For the teacher only: it contains the answers."));
         m_paper.section(tr("Aim of the work"));
         m_paper.lesson(m_lesson.aim);
         m_paper.section(tr("Theory"));
@@ -94,7 +94,7 @@ private:
         m_paper.section(tr("Time norm and points"));
         if (m_lesson.guide) {
             m_paper.say(
-                tr("The work takes %1 min, the defence included.").arg(m_lesson.guide->minutes));
+                tr("The work takes %1 min, including the defence.").arg(m_lesson.guide->minutes));
         }
         Table table;
         table.head = {tr("Step"), tr("Task"), tr("Points"), tr("Hints, price in points")};

@@ -122,16 +122,16 @@ ChangeWords rounder(const Project& project, const ExerciseRun&) {
                                "deeper that nothing is left of the added %1")
                   .arg(mm(runout * (moreRunoutBy - 1)))},
              {Asked::count, true,
-              ExerciseText::tr("the stock is the least that any radius has, so a larger "
-                               "runout is more metal to take off")}}};
+              ExerciseText::tr("the stock is the minimum over all radii, so a larger runout means "
+                               "more metal to remove")}}};
 }
 
 ChangeWords thicker(const Project& project, const ExerciseRun& run) {
     return {ExerciseText::tr("The stock is larger by a fifth: %1 instead of %2 per side, and the "
-                             "first stage takes the rest off.")
+                             "first stage removes the rest.")
                 .arg(mm(std::round(run.changed.part->stock_mm * digitsKept) / digitsKept),
                      mm(project.part->stock_mm)),
-            {{Asked::count, true, ExerciseText::tr("the first stage has more metal to take off")}}};
+            {{Asked::count, true, ExerciseText::tr("the first stage has more metal to remove")}}};
 }
 
 ChangeWords wordsOf(const Project& project, const ExerciseRun& run) {
@@ -190,7 +190,7 @@ QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_
         text << ExerciseText::tr("the larger lag takes longer to build up");
     }
     if (moreLag && laterShorter) {
-        text << ExerciseText::tr("what the system has yielded goes on cutting in the slower stage");
+        text << ExerciseText::tr("the stored deflection continues to cut in the slower stage");
     }
     return text.join(QStringLiteral("; "));
 }

@@ -326,7 +326,7 @@ void StepResults::write(PaperWriter& paper, std::size_t step) {
         sentences << tr("Hints taken: %1.").arg(record.hints.size());
     }
     if (record.isPredictedLate) {
-        sentences << tr("The prediction came after what it predicts.");
+        sentences << tr("The prediction was handed in after the run.");
     }
     paper.say(sentences.join(u' '));
 }

@@ -315,7 +315,7 @@ Figure CurveFigure::compared(const CurvePrediction& goal, const Project& project
                                {.colour = engineColour, .text = tr("By the engine")}};
     const QString caption = GoalText::quantity(goal.figure, project);
     return plotFigure(plot, legend, caption,
-                      tr("%1: what was predicted beside what the engine computes").arg(caption));
+                      tr("%1: the prediction beside the engine's result").arg(caption));
 }
 
 Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {

@@ -122,16 +122,17 @@ constexpr Meaning meanings[] = {
     {"R_t", QT_TRANSLATE_NOOP("Symbol", "target radius")},
     {"Π_k", QT_TRANSLATE_NOOP("Symbol", "stock left at radius k")},
     {"h", QT_TRANSLATE_NOOP("Symbol", "stock left below the cut"), burnName},
-    {"h", QT_TRANSLATE_NOOP("Symbol", "lag of the radius: what the wheel head is ahead of it")},
+    {"h",
+     QT_TRANSLATE_NOOP("Symbol", "lag of the radius: the distance of the wheel head ahead of it")},
     {"γ", QT_TRANSLATE_NOOP("Symbol", "compliance of the system")},
     {"A", QT_TRANSLATE_NOOP("Symbol", "lag per depth of cut, without the wear flats")},
     {"C", QT_TRANSLATE_NOOP("Symbol", "deflection by the wear flats, per root of the depth")},
     {"√a", QT_TRANSLATE_NOOP("Symbol", "root of the depth of cut")},
     {"γ·P_y", QT_TRANSLATE_NOOP("Symbol", "deflection of the system")},
-    {"y", QT_TRANSLATE_NOOP("Symbol", "deflection of all that yields"), balanceName},
-    {"T", QT_TRANSLATE_NOOP("Symbol", "temperature rise of the surface that is just allowed")},
+    {"y", QT_TRANSLATE_NOOP("Symbol", "total deflection"), balanceName},
+    {"T", QT_TRANSLATE_NOOP("Symbol", "allowed temperature rise of the surface")},
     {"√(Ωτ)", QT_TRANSLATE_NOOP("Symbol", "depth that the heat reaches during the contact")},
-    {"x", QT_TRANSLATE_NOOP("Symbol", "that stock over twice this depth")},
+    {"x", QT_TRANSLATE_NOOP("Symbol", "stock left over twice this depth")},
     {"c", QT_TRANSLATE_NOOP("Symbol", "temperature rise per force, from the heat conduction")},
     {"p", QT_TRANSLATE_NOOP("Symbol", "coefficient of the cubic equation w³ + p·w = Q")},
     {"Q", QT_TRANSLATE_NOOP("Symbol", "right side of that equation")},
@@ -378,12 +379,11 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
                               : tr("No requirement of this project limits the feed."));
         return formulas.take();
     }
-    formulas.say(
-        limitsRa && calibrated
-            ? tr("Each requirement allows a maximum depth of cut; the formulas below say where "
-                 "it comes from. Roughness limits the last cut of the cycle alone.")
-            : tr("Each requirement allows a maximum depth of cut; the formulas below say where "
-                 "it comes from."));
+    formulas.say(limitsRa && calibrated
+                     ? tr("Each requirement allows a maximum depth of cut; the formulas below show "
+                          "its origin. Roughness limits only the last cut of the cycle.")
+                     : tr("Each requirement allows a maximum depth of cut; the formulas below show "
+                          "its origin."));
     formulas.add(limits(outcome, step, !hidden));
     for (const FormulaSheet& sheet : sheets) {
         formulas.add(sheet);

@@ -153,7 +153,7 @@ public:
                            {tr("Variant"), orLine(m_exam.variant)},
                            {tr("Date"), QString(lineSigns, u'_')}}});
         if (m_isKey) {
-            m_paper.say(tr("For the teacher alone. Numbers of formulas and questions are those of "
+            m_paper.say(tr("For the teacher only. Numbers of formulas and questions are those of "
                            "the worksheet."));
         }
         writeTask();

@@ -376,9 +376,9 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         return text + tr(", more than the limit: no cycle can meet it.");
     }
     if (!c.knowsMachine) {
-        text += tr("; what the machine adds is not known");
+        text += tr("; the machine's share is not known");
     } else if (project.machine->form) {
-        text += tr(", with what the machine prints");
+        text += tr(", including the form that the machine prints");
     }
     return c.holds ? text + u'.'
                    : text + tr(". More passes without feed or a smaller last feed reduce it.");

@@ -187,7 +187,7 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
          tourText(QT_TRANSLATE_NOOP("Tour", "Programmed feed and actual cut")),
          tourText(QT_TRANSLATE_NOOP(
              "Tour",
-             "Dashed: the feed of the program. Solid: what the part really gets, zone by zone, "
+             "Dashed: the feed of the program. Solid: the actual cut, zone by zone, which differs "
              "because everything yields. The first tab sums the cycle up in bars; the others show "
              "form, limits, compliance, layers, a batch and compared runs."))},
         {[&] {
@@ -201,7 +201,7 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
         {[&] { return placeOf(shownStages(window, inputs)->findChild<RowSliders*>()); },
          tourText(QT_TRANSLATE_NOOP("Tour", "Play with the feeds")),
          tourText(QT_TRANSLATE_NOOP("Tour", "Drag a slider and watch curves, time and margins "
-                                            "follow. Undo takes a whole drag back."))},
+                                            "follow. Undo reverts a whole drag."))},
         {namedPart(window, "playback"),
          tourText(QT_TRANSLATE_NOOP("Tour", "Step through the cycle")),
          tourText(QT_TRANSLATE_NOOP(

@@ -145,7 +145,7 @@ void RunKeeper::reportChanged() {
                  .arg(printableText(names.mid(0, 3).join(QStringLiteral(", ")))
                       + (count > 3 ? QStringLiteral(", …") : QString()));
          },
-         {{[] { return tr("Show what differs"); }, [this] { emit compareWanted(); }}}});
+         {{[] { return tr("Show the differences"); }, [this] { emit compareWanted(); }}}});
 }
 
 } // namespace sparkout

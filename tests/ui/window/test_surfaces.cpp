@@ -718,7 +718,7 @@ private slots:
         const auto cell = [whole](int row, PartColumn column) {
             return whole->model().index(row, static_cast<int>(column)).data().toString();
         };
-        QCOMPARE(cell(1, PartColumn::batch), QStringLiteral("0 of 8 bad"));
+        QCOMPARE(cell(1, PartColumn::batch), QStringLiteral("0 of 8 rejected"));
         QVERIFY(cell(2, PartColumn::batch).isEmpty());
         QVERIFY(cell(2, PartColumn::verdict).contains(open));
         const auto labels = whole->findChildren<QLabel*>();

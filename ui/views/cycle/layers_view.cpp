@@ -605,7 +605,7 @@ void LayersView::nameParts() {
     m_side->setAccessibleName(tr("Wheel and part from the side, heights exaggerated"));
     m_side->setToolTip(tr("Heights are exaggerated. As in the model, a zone is ground during the "
                           "whole stroke; the whole deflection is drawn at the part."));
-    m_summary->setAccessibleName(tr("How much has come off"));
+    m_summary->setAccessibleName(tr("Accumulated removal"));
     fillChoice(*content(), {tr("Stacked layers"), tr("Surface"), tr("Wheel and part")});
     tell(*content(), tr("How the layers are drawn"));
     tell(*m_radius, tr("Radius whose layers are drawn"));

@@ -302,8 +302,8 @@ QString RunsPanel::detailOf(int run) const {
     const bool isComputed = run >= 0 && (m_kept.isChosen(run) || m_kept.surfaceOf(run).isEmpty());
     return run < 0 || (!now && !isComputed) ? time
            : !now                           ? time + u'\n' + tr("computing…")
-           : hasErrors(now->issues)         ? time + u'\n' + tr("refused now")
-           : m_kept.isChanged(run)          ? time + u'\n' + tr("differs now")
+           : hasErrors(now->issues)         ? time + u'\n' + tr("refused by this version")
+           : m_kept.isChanged(run)          ? time + u'\n' + tr("results differ")
                                             : time;
 }
 

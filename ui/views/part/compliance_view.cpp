@@ -214,7 +214,7 @@ QString ComplianceView::remark() const {
     case CouplingAnswer::givenCompliance:
         return tr(
             "The compliance is given section by section, which does not determine how a force in "
-            "one section moves another. Choose “from stiffness and shaft” on the page Machine.");
+            "one section deflects another. Choose “from stiffness and shaft” on the page Machine.");
     case CouplingAnswer::comparable: break;
     }
     return {};
@@ -273,7 +273,7 @@ void ComplianceView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Compliance along the part"));
     m_summary->setAccessibleName(tr("Most compliant place"));
-    fillChoice(*m_content, {tr("Compliance along the part"), tr("Where to put the gauge"),
+    fillChoice(*m_content, {tr("Compliance along the part"), tr("Position of the gauge"),
                             tr("Coupled against independent sections")});
     tell(*m_content, tr("Curves below the part"));
     m_put->setText(tr("Put the gauge there"));

@@ -435,8 +435,8 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     chart.secondOf = tr("Requirement");
     chart.fitTimeUnit();
     const int shown = static_cast<int>(runs.size()) - 1;
-    QStringList remarks{tr("Margin: that of the requirement nearest to its limit of those that are "
-                           "decided, below 0 where one fails.")};
+    QStringList remarks{
+        tr("Margin of the decided requirement nearest to its limit; below 0 if one is not met.")};
     if (shown < kept) {
         remarks
             << tr("The current run and the newest %1 of the %2 kept runs.").arg(shown).arg(kept);

@@ -352,7 +352,7 @@ void LimitChart::addEnvelope(LineChart& chart) const {
             key = piece.bound == LimitBound::feed ? machineKey : accuracyKey;
         }
         chart.series.push_back({.key = envelopeKey,
-                                .name = tr("band: what binds"),
+                                .name = tr("band: binding requirement"),
                                 .kind = ChartSeries::Kind::ribbon,
                                 .colour = chart.find(key)->colour,
                                 .pen = linePen(pieceWidth),

@@ -97,8 +97,8 @@ QString OptimiseText::method(SearchMethod method) {
 QString OptimiseText::methodHint(SearchMethod method) {
     switch (method) {
     case SearchMethod::pruned:
-        return tr("Proves from few runs that no cycle of the grid is better: what cannot be fit or "
-                  "quicker is not run");
+        return tr("Proves from few runs that no cycle of the grid is better: cycles that cannot be "
+                  "fit or quicker are not run");
     case SearchMethod::full:
         return tr("Runs every cycle of the grid, and proves the same answer without pruning. A "
                   "large grid takes hours or days; for the minimum time and the maximum margin it "

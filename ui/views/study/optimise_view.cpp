@@ -386,7 +386,7 @@ void OptimiseView::takeCycle() {
         // Unchanged if the search has been edited meanwhile.
         return sameSearch(searched, project) ? withFound(std::move(project), found) : project;
     };
-    emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the cycle found")});
+    emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the cycle found")});
 }
 
 // --- showing ------------------------------------------------------------------------------------
@@ -550,19 +550,18 @@ QString OptimiseView::hint() const {
 QString OptimiseView::keptText() const {
     if (showsGrid()) {
         return m_grid->outcome()
-                   ? tr("The inputs are refused; the grid is that of the last accepted ones.")
+                   ? tr("The inputs are refused; the grid is that of the last valid inputs.")
                    : refusedText();
     }
-    return search() ? tr("The inputs are refused; the search is that of the last accepted ones.")
+    return search() ? tr("The inputs are refused; the search is that of the last valid inputs.")
                     : refusedText();
 }
 
 QString OptimiseView::remark() const {
     if (!isGiven()) {
-        return tr(
-            "This project does not say what may be changed. A search takes every listed feed and "
-            "stock of the stages and finds the quickest cycle that meets every requirement. Choose "
-            "them on the page Search of the inputs, or start with usual ones.");
+        return tr("This project defines no search. A search tries every listed feed and stock of "
+                  "the stages and finds the quickest cycle that meets every requirement. Choose "
+                  "them on the page Search of the inputs, or start with typical ones.");
     }
     if (showsGrid()) {
         return m_gridBar->remark();
@@ -645,19 +644,21 @@ void OptimiseView::nameRun() {
 }
 
 void OptimiseView::nameButtons() {
-    tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
+    tellButton(*m_bar->stop(), tr("Stop"),
+               tr("Stop the search; the best so far is kept and shown"));
     tellButton(*m_take, tr("Apply this cycle"),
-               tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
+               tr("Replaces the current cycle with the chosen one; undo restores yours"));
     tellButton(*m_phases, tr("For every stock"),
-               tr("The cycle must be fit for stocks spread over one feed step of every stage too: "
-                  "where the last step falls decides on the size"));
-    tellButton(*m_refine, tr("Between levels"),
-               tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
-                  "steps: every cycle is run in full, but that none is quicker is not proved"));
+               tr("The cycle must also be fit for stocks spread over one feed step of every stage: "
+                  "the size depends on the position of the last step"));
+    tellButton(
+        *m_refine, tr("Between levels"),
+        tr("Continue from the quickest cycle between the levels of the grid, in the machine's "
+           "steps: every cycle is run in full, but the result is not proved to be the quickest"));
     tellButton(*m_add, tr("Add a typical search"),
                tr("Levels of each feed about the current cycle in steps of the machine, stocks, "
                   "spark-out, and the usual minimum overlap and steps of a stage where none are "
-                  "given; the answer is good for the batch, without one for every stock; can be "
+                  "given; the answer is fit for the batch, or without one for every stock; can be "
                   "undone and changed on the pages Search and Cycle"));
 }
 

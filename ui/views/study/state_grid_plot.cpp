@@ -455,7 +455,7 @@ CsvTable StateGridPlot::table() const {
         table.header << tr("Axial feed, mm/min");
     }
     table.header << unit.titled(QStringLiteral("T")) << tr("m*") << tr("Moves struck out")
-                 << tr("Where the rule is wrong");
+                 << tr("States in which the rule is wrong");
     for (int n = 1; n <= grid.size.levels; ++n) {
         for (std::size_t m = 0; m < grid.feeds.size(); ++m) {
             const GridState& state = grid.state(n, m);
