@@ -65,7 +65,7 @@ BatchResult watchedBatch(const Project& project) {
     return runBatch(project, how);
 }
 
-/// Holds the project's measured parts, if there are any, against a batch that predicts them.
+/// Compares the project's measured parts, if any, with a batch that predicts them.
 std::optional<MeasuredBias> biasOfMeasured(const Project& project) {
     return statisticsOfMeasured(project).empty()
                ? std::nullopt

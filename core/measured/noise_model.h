@@ -62,8 +62,8 @@ struct LeftOut {
                                 const FitProblem& fitted, const LeastSquares& best,
                                 const std::vector<double>& errors, const std::stop_token& stop);
 
-/// The noise of a trace: a white one and one that follows itself, cov(k) = w·[k = 0] + s·φ^k for
-/// values k apart.
+/// The noise of a trace: a white one and a correlated one, cov(k) = w·[k = 0] + s·φ^k for values k
+/// apart.
 struct TraceNoise {
     double white = 0;     ///< w, a variance
     double following = 0; ///< s, a variance

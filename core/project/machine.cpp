@@ -62,7 +62,7 @@ double MachineSteps::stepped(double value, int steps) const {
     const double from = steps > 0 ? std::floor(place + onStep) : std::ceil(place - onStep);
     const double last = std::floor((high - low) / step + onStep); // infinite if high is
     const double next = withoutLastBits(low + std::clamp(from + steps, 0.0, last) * step);
-    return (next - value) * steps > 0 ? next : value; // one beyond the ends stays there
+    return (next - value) * steps > 0 ? next : value; // a value beyond the ends stays unchanged
 }
 
 const std::vector<double>* machineRange(const Project& project, std::string_view path) {

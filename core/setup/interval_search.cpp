@@ -64,7 +64,7 @@ public:
                 [this](const Numbers& a, const Numbers& b) { return boundOf(a) < boundOf(b); });
             const Numbers numbers = *next;
             if (m_best && boundOf(numbers) >= worthOf(m_best->time_us, m_parts)) {
-                break; // nor is any other
+                break; // no other one has any either
             }
             lookInto(numbers, next);
         }

@@ -255,7 +255,7 @@ ordered_json givenJson(const SearchOutcome& outcome) {
 
 ordered_json freshPhasesJson(const SearchOutcome& outcome) {
     const RobustSummary& robust = *outcome.robust;
-    const int phases = robust.freshPhases; // 0: no tried answer
+    const int phases = robust.freshPhases; // 0: no answer was tried
     const int candidate = outcome.refined() ? outcome.refined()->candidate : robust.candidate;
     return {{"tried", phases},
             {"failed", 0},
