@@ -191,7 +191,7 @@ int runSimulate(const manual::Given& given) {
                                 });
 }
 
-/// The present content of an example's file.
+/// The current content of an example's file.
 enum class Standing { nothing, sameExample, another };
 
 Standing standingAt(const std::string& file, const std::string& example) {

@@ -4340,7 +4340,7 @@ With another name both versions stay as they are.</source>
             <translation>Перебег на входе</translation>
         </message>
         <message>
-            <source>How far the wheel runs past the entry end; the entry reversal zone is B − o1 long.</source>
+            <source>Distance that the wheel runs past the entry end; the entry reversal zone is B − o1 long.</source>
             <translation>На сколько круг выходит за торец входа; длина реверсной зоны РЗ1 равна B − o1.</translation>
         </message>
         <message>
@@ -4348,7 +4348,7 @@ With another name both versions stay as they are.</source>
             <translation>Перебег на выходе</translation>
         </message>
         <message>
-            <source>How far the wheel runs past the exit end; the exit reversal zone is B − o2 long.</source>
+            <source>Distance that the wheel runs past the exit end; the exit reversal zone is B − o2 long.</source>
             <translation>На сколько круг выходит за торец выхода; длина реверсной зоны РЗ2 равна B − o2.</translation>
         </message>
         <message>
@@ -4512,8 +4512,8 @@ With another name both versions stay as they are.</source>
             <translation>Ступени переключаются</translation>
         </message>
         <message>
-            <source>By the in-process gauge&apos;s reading, or by the position the wheel head has been fed to.</source>
-            <translation>По показанию прибора активного контроля или по положению, до которого подана шлифовальная бабка.</translation>
+            <source>Stages switch by the in-process gauge&apos;s reading, or by the position the wheel head has been fed to.</source>
+            <translation>Ступени переключаются по показанию прибора активного контроля или по положению, до которого подана шлифовальная бабка.</translation>
         </message>
         <message>
             <source>The gauge reads the</source>
@@ -4564,7 +4564,7 @@ With another name both versions stay as they are.</source>
             <translation>Число команд прибора</translation>
         </message>
         <message>
-            <source>How many stages the gauge can switch.</source>
+            <source>Number of stages that the gauge can switch.</source>
             <translation>Сколько ступеней может переключить прибор.</translation>
         </message>
         <message>
@@ -5044,7 +5044,7 @@ With another name both versions stay as they are.</source>
             <translation>Рост</translation>
         </message>
         <message>
-            <source>From the first to the last part between two dressings.</source>
+            <source>Values of the first and of the last part between two dressings.</source>
             <translation>От первой до последней детали между двумя правками.</translation>
         </message>
         <message>
@@ -5104,7 +5104,7 @@ With another name both versions stay as they are.</source>
             <translation>Случайная погрешность прибора</translation>
         </message>
         <message>
-            <source>In standard deviations: it multiplies the machine's gauge repeatability. A normal law with mean 0 and deviation 1 is the gauge of the machine as given.</source>
+            <source>Number of standard deviations; it multiplies the machine&apos;s gauge repeatability. A normal law with mean 0 and deviation 1 is the gauge of the machine as given.</source>
             <translation>В средних квадратических отклонениях: умножает повторяемость прибора станка. Нормальный закон со средним 0 и отклонением 1 — прибор, каков он у станка.</translation>
         </message>
         <message>
@@ -5128,7 +5128,7 @@ With another name both versions stay as they are.</source>
             <translation>вся партия</translation>
         </message>
         <message>
-            <source>How many parts are ground between two dressings.</source>
+            <source>Number of parts ground between two dressings.</source>
             <translation>Сколько деталей шлифуют между двумя правками.</translation>
         </message>
         <message>
@@ -5164,7 +5164,7 @@ With another name both versions stay as they are.</source>
             <translation>Сценарии</translation>
         </message>
         <message>
-            <source>How the factors are sampled.</source>
+            <source>Method of sampling the factors.</source>
             <translation>Как выбираются значения факторов.</translation>
         </message>
         <message>
@@ -5232,7 +5232,7 @@ With another name both versions stay as they are.</source>
             <translation>Тепло­проводность</translation>
         </message>
         <message>
-            <source>Of the part near the surface.</source>
+            <source>Value of the part near the surface.</source>
             <translation>Детали вблизи поверхности.</translation>
         </message>
         <message>
@@ -5380,7 +5380,7 @@ With another name both versions stay as they are.</source>
             <translation>как у каждой ступени</translation>
         </message>
         <message>
-            <source>The same for the last stage, which leaves the surface; usually 2.</source>
+            <source>Minimum ratio for the last stage, which leaves the surface; usually 2.</source>
             <translation>Наименьший коэффициент перекрытия последней ступени, которая оставляет поверхность; обычно 2.</translation>
         </message>
         <message>
@@ -5564,7 +5564,7 @@ With another name both versions stay as they are.</source>
             <translation>Расстановка</translation>
         </message>
         <message>
-            <source>By equal steps, or by equal ratios of positive values (logarithmic).</source>
+            <source>Values at equal steps, or at equal ratios of positive values (logarithmic).</source>
             <translation>Равными шагами или, для положительных значений, равными отношениями (логарифмически).</translation>
         </message>
         <message>
@@ -5572,7 +5572,7 @@ With another name both versions stay as they are.</source>
             <translation>Варьируемые величины</translation>
         </message>
         <message>
-            <source>One for curves, two for a map.</source>
+            <source>One varied input gives curves, two give a map.</source>
             <translation>Одна даёт кривые, две — карту.</translation>
         </message>
         <message>
@@ -5620,7 +5620,7 @@ With another name both versions stay as they are.</source>
             <translation>как настроен станок</translation>
         </message>
         <message>
-            <source>One for the whole cycle: a list, or from, to and step.</source>
+            <source>One value for the whole cycle; its levels as a list, or from, to and step.</source>
             <translation>Одно значение на весь цикл: список либо «от», «до» и шаг.</translation>
         </message>
         <message>
@@ -5940,7 +5940,7 @@ With another name both versions stay as they are.</source>
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>Where it was measured: the zone or section, counted from 0 from the headstock.</source>
+            <source>Zone or section where it was measured, counted from 0 from the headstock.</source>
             <translation>Место измерения: зона или сечение, счёт с 0 от передней бабки.</translation>
         </message>
         <message>
@@ -5948,7 +5948,7 @@ With another name both versions stay as they are.</source>
             <translation>Измеренные диаметры</translation>
         </message>
         <message>
-            <source>One diameter, or several round the part, of which the mean counts.</source>
+            <source>One diameter, or several around the part, whose mean counts.</source>
             <translation>Один диаметр или несколько по окружности; в счёт идёт их среднее.</translation>
         </message>
         <message>
@@ -6004,7 +6004,7 @@ With another name both versions stay as they are.</source>
             <translation>там, где измеряет прибор</translation>
         </message>
         <message>
-            <source>Where a size was recorded: the zone or section, counted from 0.</source>
+            <source>Zone or section where a size was recorded, counted from 0.</source>
             <translation>Где записан размер: зона или сечение, счёт с 0.</translation>
         </message>
         <message>
@@ -6080,7 +6080,7 @@ With another name both versions stay as they are.</source>
             <translation>Число деталей</translation>
         </message>
         <message>
-            <source>How many parts were measured.</source>
+            <source>Number of parts that were measured.</source>
             <translation>Сколько деталей измерено.</translation>
         </message>
         <message>
@@ -6184,7 +6184,7 @@ With another name both versions stay as they are.</source>
             <translation>Дата</translation>
         </message>
         <message>
-            <source>When it was calibrated, ISO 8601.</source>
+            <source>Date and time of the calibration, ISO 8601.</source>
             <translation>Когда откалибровано, ISO 8601.</translation>
         </message>
         <message>
@@ -6512,7 +6512,7 @@ With another name both versions stay as they are.</source>
             <translation>Вид</translation>
         </message>
         <message>
-            <source>By its name for `--view`; not given: the one in front stays.</source>
+            <source>Name of the view as for `--view`; not given: the current view stays.</source>
             <translation>По имени для `--view`; не задан — остаётся открытый вид.</translation>
         </message>
         <message>
@@ -6648,7 +6648,7 @@ With another name both versions stay as they are.</source>
             <translation>задано время</translation>
         </message>
         <message>
-            <source>Of the quickest cycle of the project&apos;s grid that meets every requirement, as the search proves it for each variant.</source>
+            <source>Relative to the quickest cycle of the project&apos;s grid that meets every requirement, proved by the search for each variant.</source>
             <translation>От самого быстрого цикла на сетке проекта, выполняющего все требования: его доказывает поиск для каждого варианта.</translation>
         </message>
         <message>
@@ -6700,7 +6700,7 @@ With another name both versions stay as they are.</source>
             <translation>Где сравнивается</translation>
         </message>
         <message>
-            <source>Where the drawn curve is compared: double strokes, revolutions and stages from 1, sections from 0, zones as 0, 1, 2.</source>
+            <source>Places where the drawn curve is compared: double strokes, revolutions and stages from 1, sections from 0, zones as 0, 1, 2.</source>
             <translation>В каких местах сравнивается кривая: двойные ходы, обороты и ступени от 1, сечения от 0, зоны как 0, 1, 2.</translation>
         </message>
         <message>
@@ -6708,7 +6708,7 @@ With another name both versions stay as they are.</source>
             <translation>Доля мест в допуске</translation>
         </message>
         <message>
-            <source>Of the places where it is compared.</source>
+            <source>Share of the places where it is compared.</source>
             <translation>Из мест, где кривая сравнивается.</translation>
         </message>
         <message>
@@ -6804,7 +6804,7 @@ With another name both versions stay as they are.</source>
             <translation>Хранится для преподавателя, он ставит баллы.</translation>
         </message>
         <message>
-            <source>By its name; the unit is in it.</source>
+            <source>Name of the quantity; it contains the unit.</source>
             <translation>По имени; единица — в нём.</translation>
         </message>
         <message>
@@ -6828,7 +6828,7 @@ With another name both versions stay as they are.</source>
             <translation>последний на ступени</translation>
         </message>
         <message>
-            <source>Of the cycle, counted from 1.</source>
+            <source>Number within the cycle, counted from 1.</source>
             <translation>В цикле, счёт от 1.</translation>
         </message>
         <message>
@@ -6868,7 +6868,7 @@ With another name both versions stay as they are.</source>
             <translation>По-английски</translation>
         </message>
         <message>
-            <source>The same. Where one language is missing, the other is shown.</source>
+            <source>If one language is missing, the other is shown.</source>
             <translation>То же. Если одного языка нет, показывается другой.</translation>
         </message>
         <message>
@@ -6888,7 +6888,7 @@ With another name both versions stay as they are.</source>
             <translation>Норма времени</translation>
         </message>
         <message>
-            <source>Of the whole work, by a student.</source>
+            <source>Time of a student for the whole work.</source>
             <translation>На всю работу, для студента.</translation>
         </message>
         <message>
@@ -6912,7 +6912,7 @@ With another name both versions stay as they are.</source>
         <translation>Название набора</translation>
     </message>
     <message>
-        <source>As the entry of the catalogue is called.</source>
+        <source>Name of the catalogue entry.</source>
         <translation>Как называется запись каталога.</translation>
     </message>
     <message>
@@ -6960,7 +6960,7 @@ With another name both versions stay as they are.</source>
         <translation>Лучшее время не более</translation>
     </message>
     <message>
-        <source>Of the best time of the lesson as it stands.</source>
+        <source>Relative to the best time of the original lesson.</source>
         <translation>От лучшего времени исходной работы.</translation>
     </message>
     <message>
@@ -6968,7 +6968,7 @@ With another name both versions stay as they are.</source>
         <translation>Отличие запаса не более</translation>
     </message>
     <message>
-        <source>How far the minimum relative margin of the best answer may be from that of the lesson as it stands, in percentage points.</source>
+        <source>Largest difference between the minimum relative margin of the best answer and that of the original lesson, in percentage points.</source>
         <translation>Насколько наименьший относительный запас лучшего ответа может отличаться от запаса исходной работы, в процентных пунктах.</translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@ With another name both versions stay as they are.</source>
         <translation>Сложность</translation>
     </message>
     <message>
-        <source>The figure is that of the project as the step begins; from 1.</source>
+        <source>Number of the step whose initial project has the figure, from 1.</source>
         <translation>Показатель — у проекта в начале этого шага; счёт от 1.</translation>
     </message>
     <message>
@@ -7108,16 +7108,16 @@ With another name both versions stay as they are.</source>
             <translation>Отклонение от круглости от станка</translation>
         </message>
         <message>
-            <source>That of a part ground to the end, of each zone or section, in their order.</source>
-            <translation>У детали, шлифованной до конца, в каждой зоне или сечении по порядку.</translation>
+            <source>Roundness deviation of a part ground to the end, of each zone or section, in their order.</source>
+            <translation>Отклонение от круглости детали, шлифованной до конца, в каждой зоне или сечении по порядку.</translation>
         </message>
         <message>
             <source>Radial runout of the machine</source>
             <translation>Радиальное биение от станка</translation>
         </message>
         <message>
-            <source>That of a part ground to the end, of each zone or section, in their order; no less than the roundness deviation. Its mean over all directions of the eccentricity.</source>
-            <translation>У детали, шлифованной до конца, в каждой зоне или сечении по порядку; не меньше отклонения от круглости. Среднее по всем направлениям эксцентриситета.</translation>
+            <source>Radial runout of a part ground to the end, of each zone or section, in their order; no less than the roundness deviation. It is the mean over all directions of the eccentricity.</source>
+            <translation>Радиальное биение детали, шлифованной до конца, в каждой зоне или сечении по порядку; не меньше отклонения от круглости. Среднее по всем направлениям эксцентриситета.</translation>
         </message>
         <message>
             <source>Number of lobes</source>
@@ -15461,7 +15461,7 @@ target, µm</source>
             <translation>Измерено</translation>
         </message>
         <message>
-            <source>no circle is held</source>
+            <source>the circle does not exist</source>
             <translation>окружность не определена</translation>
         </message>
         <message>

@@ -234,10 +234,10 @@ IssueWords wordsOf(IssueCode code) {
             "target_outside_field",
             SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance band {limit}")};
     case IssueCode::sparkOutLeaves:
-        return {
-            "spark_out_leaves",
-            SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out has no feed, "
-                                   "and the deflection did not remove its stock of {limit}")};
+        return {"spark_out_leaves",
+                SPARKOUT_NOOP("Issue",
+                              "the part stays {value} above size: a spark-out has no feed, "
+                              "and the deflection did not remove its stock of {limit}")};
     case IssueCode::stageIdle:
         return {"stage_idle",
                 SPARKOUT_NOOP("Issue",
@@ -342,7 +342,7 @@ std::string Wording::sentence(const Issue& issue) const {
     return issue.wheel ? fault + " (" + wheels(*issue.wheel) + ')' : fault;
 }
 
-/// The widths of wheels of the shipped catalogue that would do, the nearest first.
+/// The widths of wheels of the shipped catalogue that fit, the nearest first.
 std::string Wording::wheels(const WheelNeed& need) const {
     std::set<double, std::greater<>> narrow;
     std::set<double> covering;

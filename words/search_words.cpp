@@ -20,7 +20,7 @@
 
 namespace sparkout {
 
-// --- how things are written ---------------------------------------------------------------------
+// --- notation ------------------------------------------------------------------------------------
 
 std::string SearchWording::translated(const char* text) const {
     return text;
@@ -167,7 +167,7 @@ std::string SearchWording::state(const SearchState& state) const {
     return line;
 }
 
-// --- why nothing is searched --------------------------------------------------------------------
+// --- refusals ------------------------------------------------------------------------------------
 
 namespace {
 
@@ -307,7 +307,7 @@ std::string SearchWording::wholeRatio(const Project& project) const {
                         {asked, least, levels});
 }
 
-// --- what came out ------------------------------------------------------------------------------
+// --- results -------------------------------------------------------------------------------------
 
 std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
     const auto why = [&] {

@@ -235,8 +235,8 @@ Command phasesCommand() {
     return {"phases",
             oneFile,
             {"decides for which stocks of the blank the cycle meets every requirement, under gauge "
-             "control: where the last step of a stage falls changes with the stock, and the size "
-             "with it. Every stock of the range is decided, none is sampled",
+             "control: the position of the last step of a stage changes with the stock, and the "
+             "size with it. Every stock of the range is decided, none is sampled",
              "решает, при каких припусках заготовки цикл выдерживает все требования при управлении "
              "от прибора: от припуска зависит, куда придётся последний шаг ступени, а от него "
              "размер. Решено о каждом припуске диапазона, выборки нет"},

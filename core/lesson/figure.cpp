@@ -382,9 +382,9 @@ std::span<const Choice> choicesOf<Step>() {
 template <>
 const StructInfo& tableOf<Figure>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Figure, name, .label = SPARKOUT_NOOP("Input", "Figure"),
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "By its name; the unit is in it.")),
+        SPARKOUT_FIELD(
+            Figure, name, .label = SPARKOUT_NOOP("Input", "Figure"), .required = conditions::always,
+            .hint = SPARKOUT_NOOP("Input", "Name of the quantity; it contains the unit.")),
         SPARKOUT_FIELD(Figure, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "none is needed"),
                        .hint = SPARKOUT_NOOP(
@@ -396,7 +396,7 @@ const StructInfo& tableOf<Figure>() {
                        .label = SPARKOUT_NOOP("Input", "Double stroke or revolution"),
                        .hard = {1, 10000000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the last one of the stage"),
-                       .hint = SPARKOUT_NOOP("Input", "Of the cycle, counted from 1.")),
+                       .hint = SPARKOUT_NOOP("Input", "Number within the cycle, counted from 1.")),
         SPARKOUT_FIELD(Figure, step, .label = SPARKOUT_NOOP("Input", "Step of the double stroke"),
                        .sparse = true, .hint = SPARKOUT_NOOP("Input", "In a traverse cycle.")),
     };

@@ -17,8 +17,7 @@ const StructInfo& tableOf<Bilingual>() {
                                            "formulas stand in `<p class=\"formula\">`.")),
         SPARKOUT_FIELD(
             Bilingual, en, .label = SPARKOUT_NOOP("Input", "In English"), .sparse = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "The same. Where one language is missing, the other is shown.")),
+            .hint = SPARKOUT_NOOP("Input", "If one language is missing, the other is shown.")),
     };
     static const StructInfo info =
         makeTable<Bilingual>(SPARKOUT_NOOP("Struct", "Text in both languages"), rows);
@@ -108,12 +107,13 @@ const StructInfo& tableOf<TimeGoal>() {
                        .hard = {0, 100000, true},
                        .nullMeaning = SPARKOUT_NOOP(
                            "Input", "it follows from the proved best of each variant")),
-        SPARKOUT_FIELD(TimeGoal, within_percent_of_best,
-                       .label = SPARKOUT_NOOP("Input", "Maximum excess over the best"), .unit = "%",
-                       .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Of the quickest cycle of the project's grid that meets every "
-                                    "requirement, as the search proves it for each variant.")),
+        SPARKOUT_FIELD(
+            TimeGoal, within_percent_of_best,
+            .label = SPARKOUT_NOOP("Input", "Maximum excess over the best"), .unit = "%",
+            .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Relative to the quickest cycle of the project's grid that meets "
+                                  "every requirement, proved by the search for each variant.")),
         SPARKOUT_FIELD(TimeGoal, requirements_hold,
                        .label = SPARKOUT_NOOP("Input", "Every requirement must be met too")),
     };
@@ -171,9 +171,9 @@ const StructInfo& tableOf<CurvePrediction>() {
         SPARKOUT_FIELD(
             CurvePrediction, at, .label = SPARKOUT_NOOP("Input", "At"), .hard = {0, 10000000},
             .required = conditions::always, .whole = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Where the drawn curve is compared: double strokes, revolutions "
-                                  "and stages from 1, sections from 0, zones as 0, 1, 2.")),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Places where the drawn curve is compared: double strokes, revolutions "
+                         "and stages from 1, sections from 0, zones as 0, 1, 2.")),
         SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
@@ -186,7 +186,7 @@ const StructInfo& tableOf<CurvePrediction>() {
         SPARKOUT_FIELD(CurvePrediction, least_share_percent,
                        .label = SPARKOUT_NOOP("Input", "Share within it"), .unit = "%",
                        .hard = {1, 100},
-                       .hint = SPARKOUT_NOOP("Input", "Of the places where it is compared.")),
+                       .hint = SPARKOUT_NOOP("Input", "Share of the places where it is compared.")),
     };
     static const StructInfo info =
         makeTable<CurvePrediction>(SPARKOUT_NOOP("Struct", "Curve predicted"), rows);

@@ -152,7 +152,7 @@ const StructInfo& tableOf<TeachingGuide>() {
     static const std::array rows{
         SPARKOUT_FIELD(TeachingGuide, minutes, .label = SPARKOUT_NOOP("Input", "Time norm"),
                        .unit = "min", .hard = {1, 10000},
-                       .hint = SPARKOUT_NOOP("Input", "Of the whole work, by a student.")),
+                       .hint = SPARKOUT_NOOP("Input", "Time of a student for the whole work.")),
         SPARKOUT_FIELD(TeachingGuide, questions,
                        .label = SPARKOUT_NOOP("Input", "Control questions"), .hard = {0, 100},
                        .sparse = true,
@@ -290,8 +290,8 @@ const StructInfo& tableOf<ShownMoment>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             ShownMoment, view, .label = SPARKOUT_NOOP("Input", "View"), .sparse = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "By its name for `--view`; not given: the one in front stays.")),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Name of the view as for `--view`; not given: the current view stays.")),
         SPARKOUT_FIELD(ShownMoment, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
         SPARKOUT_FIELD(ShownMoment, stage, .label = SPARKOUT_NOOP("Input", "Stage"),

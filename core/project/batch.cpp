@@ -246,17 +246,18 @@ const StructInfo& tableOf<Factor>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Values of measured blanks, each as frequent as any other; "
                                     "`sparkout-cli batch --measured` reads them from a CSV.")),
-        SPARKOUT_FIELD(Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
-                       .page = Page::batch, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "From the first to the last part between two dressings.")),
         SPARKOUT_FIELD(
-            Factor, parts_between_dressings,
-            .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .hard = {1, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"), .page = Page::batch,
+            Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
             .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "How many parts are ground between two dressings.")),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Values of the first and of the last part between two dressings.")),
+        SPARKOUT_FIELD(Factor, parts_between_dressings,
+                       .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .hard = {1, 1e6},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"),
+                       .page = Page::batch, .usual = true,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Number of parts ground between two dressings.")),
     };
     static const StructInfo info = makeTable<Factor>(SPARKOUT_NOOP("Struct", "Factor"), rows);
     return info;
@@ -313,8 +314,8 @@ const StructInfo& tableOf<Factors>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP(
                 "Input",
-                "In standard deviations: it multiplies the machine's gauge repeatability. A normal "
-                "law with mean 0 and deviation 1 is the gauge of the machine as given."),
+                "Number of standard deviations; it multiplies the machine's gauge repeatability. A "
+                "normal law with mean 0 and deviation 1 is the gauge of the machine as given."),
             .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
@@ -350,7 +351,7 @@ const StructInfo& tableOf<Batch>() {
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, scenarios, .label = SPARKOUT_NOOP("Input", "Scenarios"), .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "How the factors are sampled."), .source = "MODEL-8"),
+            .hint = SPARKOUT_NOOP("Input", "Method of sampling the factors."), .source = "MODEL-8"),
         SPARKOUT_FIELD(Batch, factors, .label = SPARKOUT_NOOP("Input", "Factors"),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(

@@ -287,23 +287,22 @@ const StructInfo& tableOf<MachineLimits>() {
 template <>
 const StructInfo& tableOf<MachineForm>() {
     static const std::array rows{
-        SPARKOUT_FIELD(
-            MachineForm, roundness_um,
-            .label = SPARKOUT_NOOP("Input", "Roundness deviation of the machine"), .symbol = "2A_j",
-            .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-            .hint = SPARKOUT_NOOP(
-                "Input",
-                "That of a part ground to the end, of each zone or section, in their order."),
-            .source = "MODEL-7"),
+        SPARKOUT_FIELD(MachineForm, roundness_um,
+                       .label = SPARKOUT_NOOP("Input", "Roundness deviation of the machine"),
+                       .symbol = "2A_j", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Roundness deviation of a part ground to the "
+                                                  "end, of each zone or section, in their order."),
+                       .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_um, .label = SPARKOUT_NOOP("Input", "Radial runout of the machine"),
             .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
             .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-            .hint =
-                SPARKOUT_NOOP("Input", "That of a part ground to the end, of each zone or section, "
-                                       "in their order; no less than the roundness deviation. Its "
-                                       "mean over all directions of the eccentricity."),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Radial runout of a part ground to the end, of each zone or "
+                                  "section, in their order; no less than the roundness deviation. "
+                                  "It is the mean over all directions of the eccentricity."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"), .symbol = "j",
@@ -438,22 +437,21 @@ const StructInfo& tableOf<Machine>() {
                 SPARKOUT_NOOP("Input", "Reversal at which the infeed of a double stroke takes "
                                        "place: at the entry, at the exit, or half of it at each."),
             .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, overrun_entry_mm,
-                       .label = SPARKOUT_NOOP("Input", "Overrun at the entry"), .symbol = "o_1",
-                       .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
-                       .required = conditions::travels, .relevant = conditions::travels,
-                       .page = Page::machine, .usual = true,
-                       .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; "
-                                                      "the entry reversal zone is B − o1 long."),
-                       .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
+            .symbol = "o_1", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
+            .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
+            .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "Distance that the wheel runs past the entry end; the "
+                                           "entry reversal zone is B − o1 long."),
+            .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, overrun_exit_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the exit"),
             .symbol = "o_2", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
             .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
             .usual = true,
-            .hint = SPARKOUT_NOOP(
-                "Input",
-                "How far the wheel runs past the exit end; the exit reversal zone is B − o2 long."),
+            .hint = SPARKOUT_NOOP("Input", "Distance that the wheel runs past the exit end; the "
+                                           "exit reversal zone is B − o2 long."),
             .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, dwell_entry_s, .label = SPARKOUT_NOOP("Input", "Dwell at the entry"),

@@ -122,15 +122,17 @@ const StructInfo& tableOf<MeasuredPart>() {
         SPARKOUT_FIELD(MeasuredPart, part, .label = SPARKOUT_NOOP("Input", "Part number"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Number or name of the measured part.")),
-        SPARKOUT_FIELD(MeasuredPart, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
-                       .hard = {0, 199},
-                       .hint = SPARKOUT_NOOP("Input", "Where it was measured: the zone or section, "
-                                                      "counted from 0 from the headstock.")),
-        SPARKOUT_FIELD(MeasuredPart, diameters_mm,
-                       .label = SPARKOUT_NOOP("Input", "Measured diameters"), .unit = "mm",
-                       .hard = {0.1, 3000}, .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "One diameter, or several round the part, "
-                                                      "of which the mean counts.")),
+        SPARKOUT_FIELD(
+            MeasuredPart, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
+            .hard = {0, 199},
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Zone or section where it was measured, counted from 0 from the headstock.")),
+        SPARKOUT_FIELD(
+            MeasuredPart, diameters_mm, .label = SPARKOUT_NOOP("Input", "Measured diameters"),
+            .unit = "mm", .hard = {0.1, 3000}, .sparse = true,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "One diameter, or several around the part, whose mean counts.")),
         SPARKOUT_FIELD(MeasuredPart, roundness_um,
                        .label = SPARKOUT_NOOP("Input", "Measured roundness"), .unit = "µm",
                        .hard = forms_um, .nullMeaning = SPARKOUT_NOOP("Input", "not measured"),
@@ -172,8 +174,8 @@ const StructInfo& tableOf<MeasuredTrace>() {
         SPARKOUT_FIELD(MeasuredTrace, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 199},
                        .nullMeaning = SPARKOUT_NOOP("Input", "where the gauge measures"),
-                       .hint = SPARKOUT_NOOP("Input", "Where a size was recorded: the zone or "
-                                                      "section, counted from 0.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Zone or section where a size was recorded, counted from 0.")),
         SPARKOUT_FIELD(
             MeasuredTrace, factor_kw_per_a, .label = SPARKOUT_NOOP("Input", "Power to current"),
             .unit = "kW/A", .hard = {0, 1000, true}, .soft = {0.05, 2},
@@ -221,13 +223,15 @@ const StructInfo& tableOf<MeasuredSummary>() {
         SPARKOUT_FIELD(MeasuredSummary, quantity, .label = SPARKOUT_NOOP("Input", "Quantity"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Quantity that the statistics describe.")),
-        SPARKOUT_FIELD(MeasuredSummary, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
-                       .hard = {0, 199},
-                       .hint = SPARKOUT_NOOP("Input", "Where it was measured: the zone or section, "
-                                                      "counted from 0 from the headstock.")),
+        SPARKOUT_FIELD(
+            MeasuredSummary, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
+            .hard = {0, 199},
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Zone or section where it was measured, counted from 0 from the headstock.")),
         SPARKOUT_FIELD(MeasuredSummary, count, .label = SPARKOUT_NOOP("Input", "Number of parts"),
                        .hard = {2, 1'000'000}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "How many parts were measured.")),
+                       .hint = SPARKOUT_NOOP("Input", "Number of parts that were measured.")),
         SPARKOUT_FIELD(MeasuredSummary, mean_um, .label = SPARKOUT_NOOP("Input", "Mean"),
                        .unit = "µm", .hard = sizes_um, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Mean of the parts; of a diameter its mean "
@@ -288,7 +292,8 @@ const StructInfo& tableOf<Calibration>() {
                        .hard = {1, 1e9},
                        .hint = SPARKOUT_NOOP("Input", "Number of measured values used.")),
         SPARKOUT_FIELD(Calibration, date, .label = SPARKOUT_NOOP("Input", "Date"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "When it was calibrated, ISO 8601.")),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Date and time of the calibration, ISO 8601.")),
     };
     static const StructInfo info =
         makeTable<Calibration>(SPARKOUT_NOOP("Struct", "Calibration"), rows);

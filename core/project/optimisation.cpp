@@ -220,24 +220,27 @@ const StructInfo& tableOf<Optimisation>() {
             .label = SPARKOUT_NOOP("Input", "Levels of the work speed"), .unit = "rev/min",
             .hard = {0.1, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
             .page = Page::search, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "One value for the whole cycle; its levels as a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, dwell_entry_s,
             .label = SPARKOUT_NOOP("Input", "Levels of the entry dwell"), .unit = "s",
             .hard = {0, 3600}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
             .relevant = conditions::travels, .page = Page::search,
-            .hint =
-                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "One value for the whole cycle; its levels as a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Levels of the exit dwell"),
             .unit = "s", .hard = {0, 3600},
             .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
             .relevant = conditions::travels, .page = Page::search,
-            .hint =
-                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "One value for the whole cycle; its levels as a list, or from, to and step."),
             .source = "MODEL-8"),
         unfedSteps(),
         SPARKOUT_FIELD(

@@ -128,7 +128,7 @@ const StructInfo& tableOf<Project>() {
             .soft = {1, 20}, .nullMeaning = SPARKOUT_NOOP("Input", "same as for every stage"),
             .relevant = conditions::travels, .page = Page::cycle,
             .hint = SPARKOUT_NOOP(
-                "Input", "The same for the last stage, which leaves the surface; usually 2."),
+                "Input", "Minimum ratio for the last stage, which leaves the surface; usually 2."),
             .formula = "B·n/S_ax", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Project, least_steps, .label = SPARKOUT_NOOP("Input", "Minimum steps of a stage"),

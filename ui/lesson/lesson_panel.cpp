@@ -84,7 +84,7 @@ void LessonPanel::build() {
     buildHead(*layout);
     buildTask();
     auto* scroll = new QScrollArea(this);
-    scroll->setFocusPolicy(Qt::NoFocus); // its contents have it
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents take the focus
     scroll->setWidget(m_taskPage);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

@@ -263,9 +263,9 @@ Table wrongStatesTable(const ExactAnswer& exact) {
     return table;
 }
 
-/// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the way back
-/// state by state. A project without a search uses a usual one. In the window's thread; `breathe`
-/// is called during the proof, which is abandoned after some seconds.
+/// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the path back
+/// state by state. A project without a search uses a usual one. Must run in the window's thread;
+/// `breathe` is called during the proof, which is abandoned after some seconds.
 std::vector<Block> stateGridBlocks(const OutcomePtr& outcome,
                                    const std::function<void()>& breathe) {
     Project project = outcome->result.project;

@@ -476,7 +476,7 @@ QString ProfilesPlot::numbersOf(std::size_t cell, bool brief) const {
     return numbers + u'\n'
            + (zone ? ProfilesText::roundness(*zone, brief,
                                              m_series.knowsRoundness || isMeasured(cell))
-                   : tr("no circle is held"));
+                   : tr("the circle does not exist"));
 }
 
 QString ProfilesPlot::describeMeasured() const {

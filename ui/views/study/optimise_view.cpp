@@ -276,7 +276,7 @@ void OptimiseView::runSearch() {
     showState();
 }
 
-/// An answer can be chosen and taken during the search for the margins by time.
+/// An answer can be chosen and applied during the search for the margins by time.
 void OptimiseView::takeSearch() {
     if (m_goesOn) {
         addToAnswer();
