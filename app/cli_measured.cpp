@@ -272,7 +272,7 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
     if (given.has("-o")) {
         if (answer.fit->status != IdentificationStatus::fitted) {
             print(stderr,
-                  printable(given.text("-o")) + ": not saved, for there are no values to use\n");
+                  printable(given.text("-o")) + ": not saved, since there are no usable values\n");
         } else if (const int failed =
                        saveFound(project, *answer.fit, surfaces.setup(), surface, given)) {
             return failed;

@@ -142,7 +142,7 @@ void Options::readReport() {
     many.suffix = given.has("--format") ? text("--format") : many.suffix;
     many.force = given.has("--force");
     if (!report::kindOf(kind) && !request.paper) {
-        fault = QStringLiteral("there is no report “%1”; there are: %2").arg(kind, reportKeys());
+        fault = QStringLiteral("unknown report “%1”; known: %2").arg(kind, reportKeys());
         return;
     }
     fault = readHandoutOptions(given, request);
@@ -285,7 +285,7 @@ bool showWantedView(MainWindow& window, const QString& name) {
     for (const View* view : window.views()) {
         names += view->objectName();
     }
-    say(stderr, QStringLiteral("sparkout: there is no view “%1”; there are: %2")
+    say(stderr, QStringLiteral("sparkout: unknown view “%1”; known: %2")
                     .arg(printableText(name), names.join(QStringLiteral(", "))));
     return false;
 }

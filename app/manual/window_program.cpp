@@ -89,9 +89,9 @@ std::vector<Option> windowOptions() {
          .value = textLike("STEP", "a step, as 12,nz,z1,e1,r1,k9"),
          .needs = "--report",
          .text = {"the step that a hand-out or the worksheet of a project works out: double stroke "
-                  "(plunge: revolution), zone or section, stage, step, revolution of it and "
-                  "radius, as far as wanted, as in 12,nz,z1,e1,r1,k9; of those that fit the "
-                  "deepest cut; z1 unless given",
+                  "(plunge: revolution), zone or section, stage, step, its revolution and radius, "
+                  "as far as wanted, as in 12,nz,z1,e1,r1,k9; of several matching steps the one "
+                  "with the deepest cut; z1 unless given",
                   "шаг, который разбирает раздаточный материал или рабочий лист проекта: двойной "
                   "ход (врезное: оборот), зона или сечение, ступень, этап, его оборот и радиус, "
                   "сколько нужно, например 12,nz,z1,e1,r1,k9; из подходящих — с наибольшей "

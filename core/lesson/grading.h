@@ -33,7 +33,7 @@ enum class WorkFlag {
     notInGroup,    ///< the list does not contain this student
     untrueRuns,    ///< numbers of a kept run differ from the engine's
     late,          ///< a prediction was made after its result was known
-    forbidden,     ///< inputs were changed that are not free
+    forbidden,     ///< locked inputs were changed
     missing,       ///< nothing was handed in
     overBudget,    ///< marking took too long: some of it is left out
 };

@@ -548,7 +548,7 @@ void BarDrawing::paintNumbers(QPainter& painter, const Layout& layout) {
             continue;
         }
         const QString text = m_chart.valueText(part.series, part.category);
-        if (isStack && text == totalText(part.category)) { // the whole stack: said beside it
+        if (isStack && text == totalText(part.category)) { // the whole stack: stated beside it
             continue;
         }
         const QSizeF size(layout.metrics.horizontalAdvance(text), layout.metrics.height());

@@ -356,7 +356,7 @@ void ImportDialog::connectParts() {
     connect(this, &QDialog::rejected, m_reader, &MeasuredReader::stop);
 }
 
-// --- how it is read -----------------------------------------------------------------------------
+// --- format of the table ------------------------------------------------------------------------
 
 void ImportDialog::propose() {
     m_table = proposeTable(m_source->text);

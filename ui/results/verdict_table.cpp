@@ -249,8 +249,8 @@ ValueHead headOf(const ConstraintResult& c, const Project& project) {
                           QStringLiteral("\n"))};
 }
 
-/// The name, in words where it needs attention; else the mark is enough. The panel says above which
-/// machine is not known.
+/// The name, in words where it needs attention; else the mark is enough. The panel states above it
+/// which machine is not known.
 ValueCell nameCell(const ConstraintResult& c, const Project& project, const LightIcons& icons) {
     const bool guessed = LimitNames::isGuess(c.kind, project);
     const QString name = requirementName(

@@ -319,7 +319,7 @@ void FeedsView::showNote() {
     m_noteDialog->activateWindow();
 }
 
-// --- what is in sight ---------------------------------------------------------------------------
+// --- visible range ------------------------------------------------------------------------------
 
 void FeedsView::fillSpans() {
     const QSignalBlocker blocker(m_span);

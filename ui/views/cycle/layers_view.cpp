@@ -299,7 +299,7 @@ double LayersPlot::above_um(double radius_mm) const {
     return (radius_mm - m_series.target_mm) * umPerMm;
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed layers ---------------------------------------------------------------------------
 
 LineChart LayersPlot::made() const {
     LineChart chart = partChart();

@@ -283,7 +283,7 @@ RunsModel::Run RunsPanel::presentRow() const {
     return row;
 }
 
-// --- what there is to say of a run --------------------------------------------------------------
+// --- state of a run -----------------------------------------------------------------------------
 
 const ReadSummary* RunsPanel::summaryOf(int run) const {
     return run >= 0 ? m_kept.summary(run) : m_present;

@@ -263,7 +263,7 @@ QRectF SidePlot::wheelRect() const {
             QPointF(across().coordToPixel(m_scene.wheel.to_mm), std::max(edge, far))};
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed moment ---------------------------------------------------------------------------
 
 QColor SidePlot::colourOf(Key key) const {
     return style::dimmed(chartColour(chart().find(key)->colour, palette()), isDimmed());

@@ -267,7 +267,7 @@ void ProfilesView::showMeasured(std::optional<MeasuredSection> measured) {
     replotAll();
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed profiles -------------------------------------------------------------------------
 
 void ProfilesView::takeOutcome(const OutcomePtr& before) {
     if (hasOtherPlaces(before)) {
@@ -446,7 +446,7 @@ void ProfilesView::showSection(int section) {
     }
 }
 
-// --- what the user chooses ----------------------------------------------------------------------
+// --- choices of the user ------------------------------------------------------------------------
 
 std::vector<int> ProfilesView::shownProfiles() const {
     const SimulationResult& result = good()->result;

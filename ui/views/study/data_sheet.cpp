@@ -132,7 +132,7 @@ bool DataModel::isEditable(const Field& field) const {
     return m_which != List::traces || isOneOf(field, {"place", "factor_kw_per_a", "idle", "note"});
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed data -----------------------------------------------------------------------------
 
 QString DataModel::shown(int row, const Field& field) const {
     const void* const of = item(row);

@@ -89,7 +89,7 @@ QColor StateGridLayer::failing() const {
     return m_plot.toned(Drawn::fails);
 }
 
-// --- where and what -----------------------------------------------------------------------------
+// --- places and contents of the cells -----------------------------------------------------------
 
 QRectF StateGridLayer::boxAt(double level, double feed) const {
     return QRectF(m_plot.pixelOf({level - cellWidth / 2, feed - cellHeight / 2}),
