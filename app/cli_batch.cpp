@@ -254,7 +254,7 @@ std::string stateSentence(StateFault fault) {
                + " levels";
     case StateFault::otherVersion: return "a shard of another version of Sparkout; run it again";
     case StateFault::changed: return "changed since it was written (its checksum does not fit)";
-    case StateFault::impossible: return "holds numbers that no batch gives";
+    case StateFault::impossible: return "contains numbers that no batch produces";
     }
     return {};
 }

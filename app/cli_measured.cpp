@@ -120,7 +120,7 @@ std::string fitText(const Project& project, const Identification& found,
         text += overRangeText(group);
         if (group.lack.isLacking()) {
             text += std::string("does not fit: ") + wordsOf(group.source).text + ": "
-                    + fixed(group.lack.ratio, 1) + " times what the noise leaves, at most "
+                    + fixed(group.lack.ratio, 1) + " times the noise, at most "
                     + fixed(group.lack.most, 1) + " by chance: " + wordsOf(group.unlike.kind).text
                     + (group.unlike.stage >= 0
                            ? " (stage " + std::to_string(group.unlike.stage + 1) + ")"
@@ -132,7 +132,7 @@ std::string fitText(const Project& project, const Identification& found,
         const ForceLawChoice& law = *found.forceLaw;
         text += std::string("force law: ") + wordsOf(law.supported).text + " ("
                 + std::to_string(law.revolutions)
-                + " revolutions; AIC of the sources' law less that with a threshold "
+                + " revolutions; AIC of the sources' law minus that with a threshold "
                 + fixed(law.aicDifference, 1) + "; RMS of the residuals "
                 + fixed(law.sourcesRms_um, 3) + " and " + fixed(law.thresholdRms_um, 3) + " µm)"
                 + (law.revolutionsMore

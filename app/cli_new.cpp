@@ -159,7 +159,7 @@ std::string startText(const StartingCycle& start) {
         text += labelled("stage " + std::to_string(i + 1),
                          stageText(project, stages[i], result.timeByStage_s[i]));
     }
-    text += labelled("rough depth bound by", roughText(start))
+    text += labelled("rough depth limited by", roughText(start))
             + labelled("machining time", SearchWording().time(result.time_s));
     return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
 }

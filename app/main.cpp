@@ -297,8 +297,9 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words = cli::argumentsOf(argc, argv);
     for (const std::string& word : words) {
         if (systemText(fromSystemText(word)) != word) { // another file would be read or written
-            say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
-                            .arg(QString::fromStdString(printable(word))));
+            say(stderr,
+                QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli accepts such names")
+                    .arg(QString::fromStdString(printable(word))));
             return exitUsage;
         }
     }

@@ -355,7 +355,8 @@ QStringList outputsOf(const ManyReports& many) {
         if (isProject) {
             faults << QStringLiteral("%1 would replace a project").arg(printableText(output));
         } else if (outputs.contains(output)) {
-            faults << QStringLiteral("two of the files would give %1").arg(printableText(output));
+            faults << QStringLiteral("two of the files would be written to %1")
+                          .arg(printableText(output));
         } else if (QFileInfo::exists(output) && !many.force) {
             faults << QStringLiteral("%1 exists; --force replaces it").arg(printableText(output));
         }

@@ -221,7 +221,7 @@ class RemedyConflict:
         """value of that setting"""
     @property
     def stock_mm(self) -> Optional[float]:
-        """stock per side for which the cycle fails with it; none unless the kind is stocks [mm]"""
+        """stock per side for which the cycle is unfit with it; none unless the kind is stocks [mm]"""
 
 class Remedies:
     """Possible remedies."""
@@ -311,7 +311,7 @@ class Search:
         """Time of the cycle found [min]."""
     @property
     def least_relative_margin(self) -> Optional[float]:
-        """Minimum margin of all requirements, of its limit."""
+        """Minimum margin of all requirements, relative to its limit."""
     @property
     def cost_per_part(self) -> Optional[float]:
         """Cost of a part with its share of the dressing."""

@@ -1003,7 +1003,7 @@
             <translation>сечения связаны</translation>
         </message>
         <message>
-            <source>coupled less independent</source>
+            <source>coupled minus independent</source>
             <translation>разность: связаны минус независимы</translation>
         </message>
         <message>
@@ -1057,7 +1057,7 @@
             <translation>Цикл слишком длинный и не записан, поэтому разобрать его шаг нельзя.</translation>
         </message>
         <message>
-            <source>Every formula stands in symbols, then with its numbers, then with its result. Numbers are put in with as many digits as the printed result needs.</source>
+            <source>Every formula is printed in symbols, then with its numbers, then with its result. Numbers have as many digits as the printed result needs.</source>
             <translation>Каждая формула записана в обозначениях, затем с подставленными числами и с результатом. Числа подставлены со столькими знаками, сколько нужно для напечатанного результата.</translation>
         </message>
         <message>
@@ -1811,7 +1811,7 @@
             <translation>Полное биение</translation>
         </message>
         <message>
-            <source>About the centre axis, over all sections, with the machine&apos;s own.</source>
+            <source>About the centre axis, over all sections, including the machine&apos;s own runout.</source>
             <translation>Относительно оси центров, по всем сечениям, вместе с биением станка.</translation>
         </message>
         <message>
@@ -1819,7 +1819,7 @@
             <translation>Конусообразность</translation>
         </message>
         <message>
-            <source>Mean radius at the zone&apos;s last section less that at its first, of the straight line through them.</source>
+            <source>Mean radius at the zone&apos;s last section minus that at its first, on the straight line through them.</source>
             <translation>Средний радиус последнего сечения зоны за вычетом первого, по прямой через них.</translation>
         </message>
         <message>
@@ -1827,7 +1827,7 @@
             <translation>Бочкообразность</translation>
         </message>
         <message>
-            <source>Mean radius in the zone&apos;s middle less that at its ends: above 0 a barrel, below it a saddle.</source>
+            <source>Mean radius in the zone&apos;s middle minus that at its ends: above 0 a barrel, below it a saddle.</source>
             <translation>Средний радиус в середине зоны за вычетом радиуса на концах: больше 0 — бочка, меньше — седло.</translation>
         </message>
         <message>
@@ -1835,7 +1835,7 @@
             <translation>Время найденного цикла</translation>
         </message>
         <message>
-            <source>Minimum margin of all requirements, of its limit</source>
+            <source>Minimum margin of all requirements, relative to its limit</source>
             <translation>Наименьший запас по всем требованиям, от предела</translation>
         </message>
         <message>
@@ -1943,7 +1943,7 @@
             <translation>Смещение</translation>
         </message>
         <message>
-            <source>Measured less predicted mean: Welch&apos;s interval, 95 %, with the uncertainty of measuring</source>
+            <source>Measured minus predicted mean: Welch&apos;s interval, 95 %, with the measuring uncertainty</source>
             <translation>Измеренное среднее минус прогнозируемое: интервал Уэлча, 95 %, с неопределённостью измерения</translation>
         </message>
         <message>
@@ -2371,7 +2371,7 @@ axial feed, mm/min</source>
             </translation>
         </message>
         <message numerus="yes">
-            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <source>The rule fails in %n state(s), first in %1: %2.</source>
             <translation>
                 <numerusform>Правило ошибается в %n состоянии, впервые в %1: %2.</numerusform>
                 <numerusform>Правило ошибается в %n состояниях, впервые в %1: %2.</numerusform>
@@ -3164,7 +3164,7 @@ axial feed, mm/min</source>
             <translation>Круг затупился: η выросла с %1 до %2.</translation>
         </message>
         <message>
-            <source>at the same lag less is cut</source>
+            <source>less is cut at the same lag</source>
             <translation>при том же отставании срезается меньше</translation>
         </message>
         <message>
@@ -3196,7 +3196,7 @@ axial feed, mm/min</source>
             <translation>в конце цикла сила соответствует меньшей подаче, поэтому отжатия меньше различаются по длине</translation>
         </message>
         <message>
-            <source>after more and shallower cuts less of it is left</source>
+            <source>less of it remains after more and shallower cuts</source>
             <translation>после большего числа менее глубоких проходов от него остаётся меньше</translation>
         </message>
         <message>
@@ -3212,7 +3212,7 @@ axial feed, mm/min</source>
             <translation>Биение заготовок вдвое больше: %1 вместо %2.</translation>
         </message>
         <message>
-            <source>high places are cut deeper than low ones, but not so much deeper that nothing is left of the added %1</source>
+            <source>high places are cut deeper than low ones, but not deep enough to remove all of the added %1</source>
             <translation>выступающие места срезаются глубже впадин, но не настолько, чтобы от прибавленных %1 ничего не осталось</translation>
         </message>
         <message>
@@ -3727,7 +3727,7 @@ With another name both versions stay as they are.</source>
             <translation>Непринятый текст</translation>
         </message>
         <message>
-            <source>Everything else is saved, but the invalid entries are not. Continue without them?</source>
+            <source>Everything but the invalid entries is saved. Continue without them?</source>
             <translation>Всё остальное сохранено, но непринятого текста нет ни в одном файле. Продолжить без него?</translation>
         </message>
         <message>
@@ -4076,7 +4076,7 @@ With another name both versions stay as they are.</source>
             <translation>ищутся циклы без неё</translation>
         </message>
         <message>
-            <source>A stage then has one of these, and no radial feed at the reversals, or one of the radial feeds: a list, or from, to and step.</source>
+            <source>A stage then has either one of these and no radial feed at the reversals, or one of the radial feeds: a list, or from, to and step.</source>
             <translation>Ступень имеет тогда одну из них и не имеет радиальной подачи на реверсах либо имеет одну из радиальных подач: список или от, до и шаг.</translation>
         </message>
         <message>
@@ -4924,7 +4924,7 @@ With another name both versions stay as they are.</source>
             <translation>Верхнее отклонение</translation>
         </message>
         <message>
-            <source>Upper limit of the diameter less the nominal diameter.</source>
+            <source>Upper limit of the diameter minus the nominal diameter.</source>
             <translation>Наибольший предельный диаметр минус номинальный.</translation>
         </message>
         <message>
@@ -4932,7 +4932,7 @@ With another name both versions stay as they are.</source>
             <translation>Нижнее отклонение</translation>
         </message>
         <message>
-            <source>Lower limit of the diameter less the nominal diameter.</source>
+            <source>Lower limit of the diameter minus the nominal diameter.</source>
             <translation>Наименьший предельный диаметр минус номинальный.</translation>
         </message>
         <message>
@@ -5056,7 +5056,7 @@ With another name both versions stay as they are.</source>
             <translation>Тепловое расширение</translation>
         </message>
         <message>
-            <source>Growth of one metre of the part per kelvin: it makes the gauge read a warm part too large.</source>
+            <source>Growth of one metre of the part per kelvin; the gauge reads a warm part too large by it.</source>
             <translation>На сколько метр детали удлиняется с каждым кельвином: на столько больше показывает прибор по тёплой детали.</translation>
         </message>
         <message>
@@ -5196,7 +5196,7 @@ With another name both versions stay as they are.</source>
             <translation>Твёрдость</translation>
         </message>
         <message>
-            <source>Hardness of the part; for the record, the force law takes the flow stress.</source>
+            <source>Hardness of the part; for the record, as the force law uses the flow stress.</source>
             <translation>Твёрдость детали; для сведения — в закон силы входит интенсивность напряжений.</translation>
         </message>
         <message>
@@ -5588,7 +5588,7 @@ With another name both versions stay as they are.</source>
             <translation>Вспомогательное время</translation>
         </message>
         <message>
-            <source>Loading and measuring, beside the cycle.</source>
+            <source>Loading and measuring, in addition to the cycle.</source>
             <translation>Установка и измерение детали сверх цикла.</translation>
         </message>
         <message>
@@ -5608,7 +5608,7 @@ With another name both versions stay as they are.</source>
             <translation>Круг и алмаз, в той же валюте.</translation>
         </message>
         <message>
-            <source>as the batch&apos;s dullness grows, else no dressing</source>
+            <source>as the batch&apos;s dullness grows, otherwise no dressing</source>
             <translation>как растёт затупление в партии, иначе без правки</translation>
         </message>
         <message>
@@ -5848,7 +5848,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольшая длина детали</translation>
         </message>
         <message>
-            <source>Length that the machine takes.</source>
+            <source>Length that the machine accepts.</source>
             <translation>Длина детали, которую принимает станок.</translation>
         </message>
         <message>
@@ -5856,7 +5856,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольший диаметр круга</translation>
         </message>
         <message>
-            <source>Diameter of a new wheel that the machine takes.</source>
+            <source>Diameter of a new wheel that the machine accepts.</source>
             <translation>Диаметр нового круга, который принимает станок.</translation>
         </message>
         <message>
@@ -6068,7 +6068,7 @@ With another name both versions stay as they are.</source>
             <translation>Отсчётов в источнике</translation>
         </message>
         <message>
-            <source>Number of samples in that file; where there were more than are kept, they were reduced to means.</source>
+            <source>Number of samples in that file; if they exceeded the limit, they were reduced to means.</source>
             <translation>Сколько отсчётов в этом файле; лишние сведены в средние.</translation>
         </message>
         <message>
@@ -6224,7 +6224,7 @@ With another name both versions stay as they are.</source>
             <translation>ничего не измерено</translation>
         </message>
         <message>
-            <source>Measured parts and traces to compare with the prediction, and what was calibrated on them.</source>
+            <source>Measured parts and traces to compare with the prediction, and the inputs calibrated on them.</source>
             <translation>Измеренные детали и записи, с которыми сравнивается прогноз, и то, что по ним откалибровано.</translation>
         </message>
         <message>
@@ -6256,7 +6256,7 @@ With another name both versions stay as they are.</source>
             <translation>Уровни уточняются по ответу</translation>
         </message>
         <message>
-            <source>Levels of the feeds are added around the answer, and beyond the edge of the grid where the answer lies there and the machine allows it; then the grid is searched again.</source>
+            <source>Levels of the feeds are added around the answer, and beyond the edge of the grid if the answer lies there and the machine allows it; then the grid is searched again.</source>
             <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
         </message>
         <message>
@@ -6316,7 +6316,7 @@ With another name both versions stay as they are.</source>
             <translation>по коэффициентам закона силы</translation>
         </message>
         <message>
-            <source>The cutting force from grain size and structure, summed over the grains in contact, in place of the law that takes all chips together for the metal removed.</source>
+            <source>The cutting force from grain size and structure, summed over the grains in contact, instead of the law for all chips together.</source>
             <translation>Сила резания по зернистости и структуре, суммированная по зёрнам в контакте, вместо закона, в котором срезы вместе составляют снятый металл.</translation>
         </message>
         <message>
@@ -6476,7 +6476,7 @@ With another name both versions stay as they are.</source>
             <translation>При поиске наименьшей стоимости с изнашивающимся кругом его находит поиск, а это — наибольшее допустимое.</translation>
         </message>
         <message>
-            <source>Shown beside the time; the minimum is searched where that is the objective.</source>
+            <source>Shown beside the time; the minimum is searched if it is the objective.</source>
             <translation>Указывается рядом со временем; наименьшая ищется, если это цель поиска.</translation>
         </message>
         <message>
@@ -6484,7 +6484,7 @@ With another name both versions stay as they are.</source>
             <translation>Цель поиска</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle holds for all of them, with the wheel as the part&apos;s wear makes it. The minimum cost needs the cost of a part.</source>
+            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle is fit for all of them, with the wheel as worn by the parts. The minimum cost needs the cost of a part.</source>
             <translation>Стоимость и стойкость круга ищутся по деталям от правки до правки: цикл годен для каждой из них, с кругом, каким его делает износ, заданный у детали. Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
@@ -6536,7 +6536,7 @@ With another name both versions stay as they are.</source>
             <translation>Задание</translation>
         </message>
         <message>
-            <source>The one that the step is about, from 1.</source>
+            <source>Number of the surface that the step is about, from 1.</source>
             <translation>О какой поверхности шаг; счёт от 1.</translation>
         </message>
         <message>
@@ -7072,7 +7072,7 @@ With another name both versions stay as they are.</source>
             <translation>Пороговая сила</translation>
         </message>
         <message>
-            <source>Normal force per millimetre of width up to which the wheel only rubs. It is found from a recorded spark-out: what is left is γ·b·F′_0.</source>
+            <source>Normal force per millimetre of width up to which the wheel only rubs. It is found from a recorded spark-out, whose remainder is γ·b·F′_0.</source>
             <translation>Нормальная сила на миллиметр ширины, до которой круг только трёт. Определяется по записи выхаживания: остаётся γ·b·F′_0.</translation>
         </message>
         <message>
@@ -7092,7 +7092,7 @@ With another name both versions stay as they are.</source>
             <translation>K_0·ε_i/(ε_i·tg β), как в законе источников</translation>
         </message>
         <message>
-            <source>Tangential force per area of chip, beyond the friction at the threshold: it makes the power.</source>
+            <source>Tangential force per area of chip, beyond the friction at the threshold; it determines the power.</source>
             <translation>Касательная сила на единицу площади среза сверх трения при пороговой силе: от неё зависит мощность.</translation>
         </message>
         <message>
@@ -7132,7 +7132,7 @@ With another name both versions stay as they are.</source>
             <translation>Направление эксцентриситета</translation>
         </message>
         <message>
-            <source>where the runout is the one given</source>
+            <source>the angle that gives the stated runout</source>
             <translation>где биение равно заданному</translation>
         </message>
         <message>
@@ -7326,7 +7326,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — подходит несколько: {limit}</translation>
         </message>
         <message>
-            <source>{value} does not take this part; machines of the catalogue that do: {limit}</source>
+            <source>{value} does not accept this part; machines of the catalogue that do: {limit}</source>
             <translation>{value} не принимает эту деталь; принимают станки каталога: {limit}</translation>
         </message>
         <message>
@@ -7490,7 +7490,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — необычное значение при остальных исходных данных; обычно: {limit}</translation>
         </message>
         <message>
-        <source>an overrun of {value} takes the wheel into a shoulder of the shaft; allowed: {limit}</source>
+        <source>an overrun of {value} runs the wheel into a shoulder of the shaft; allowed: {limit}</source>
         <translation>при перебеге {value} круг набегает на уступ вала; допускается: {limit}</translation>
     </message>
     <message>
@@ -7529,7 +7529,7 @@ With another name both versions stay as they are.</source>
             <translation>Обороты %1…%2, ступень %3</translation>
         </message>
         <message>
-            <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
+            <source>%1, %2: removes %3 µm, %4 µm so far, radius %5 µm from target</source>
             <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
         </message>
     </context>
@@ -8044,7 +8044,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 с</translation>
         </message>
         <message>
-            <source>This method is for plunge grinding; the exact search takes traverse cycles (%1).</source>
+            <source>This method is for plunge grinding; the exact search handles traverse cycles (%1).</source>
             <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (%1).</translation>
         </message>
         <message>
@@ -8335,11 +8335,11 @@ With another name both versions stay as they are.</source>
             <translation>Рассчитывает все циклы сетки и доказывает тот же ответ без отсечения. Перебор большой сетки занимает часы или дни; при поиске наименьшего времени и наибольшего запаса перебор можно остановить и продолжить</translation>
         </message>
         <message>
-            <source>A heuristic for plunge grinding, as published: of all ways to a level of stock with a feed only the quickest is kept. It is quick, but proves nothing and may find no cycle where there is one</source>
+            <source>A heuristic for plunge grinding, as published: of all paths to a level of stock with a feed only the quickest is kept. It is quick, but proves nothing and may find no cycle although one exists</source>
             <translation>Эвристика для врезного шлифования, как опубликовано: из всех путей к уровню припуска с данной подачей остаётся только самый быстрый. Работает быстро, но ничего не доказывает и может не найти существующего цикла</translation>
         </message>
         <message>
-            <source>A heuristic for plunge grinding: all ways to a level of stock are kept that no other beats in both time and stored deflection. It takes longer with many levels, proves nothing and may find no cycle where there is one</source>
+            <source>A heuristic for plunge grinding: all paths to a level of stock are kept that no other beats in both time and stored deflection. It takes longer with many levels, proves nothing and may find no cycle although one exists</source>
             <translation>Эвристика для врезного шлифования: остаются все пути к уровню припуска, которые никакой другой не превосходит сразу и по времени, и по накопленному отжатию. При многих уровнях работает дольше, ничего не доказывает и может не найти существующего цикла</translation>
         </message>
     </context>
@@ -8385,7 +8385,7 @@ With another name both versions stay as they are.</source>
             <translation>Годна</translation>
         </message>
         <message>
-            <source>Minimum margin, of its limit</source>
+            <source>Minimum margin, relative to its limit</source>
             <translation>Наименьший запас, от предела</translation>
         </message>
         <message>
@@ -8588,7 +8588,7 @@ With another name both versions stay as they are.</source>
             <translation>Оставшийся припуск на этом радиусе</translation>
         </message>
         <message>
-            <source>The forces are those of the depth of cut that the elastic balance gives, further below.</source>
+            <source>The forces are those at the depth of cut of the elastic balance below.</source>
             <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
         </message>
         <message>
@@ -9403,7 +9403,7 @@ With another name both versions stay as they are.</source>
             <translation>Число команд прибора</translation>
         </message>
         <message>
-            <source>the stages need %2 more gauge commands than there are</source>
+            <source>the stages need %2 more gauge commands than available</source>
             <translation>ступеням не хватает команд прибора: %2</translation>
         </message>
         <message>
@@ -10624,11 +10624,11 @@ With another name both versions stay as they are.</source>
             <translation>Ограничивающие требования</translation>
         </message>
         <message>
-            <source>Factors and verdict, statistics, rejects by cause, influence of the factors, histograms and the worst part, each on a sheet of its own.</source>
+            <source>Factors and verdict, statistics, rejects by cause, influence of the factors, histograms and the worst part, each on a separate sheet.</source>
             <translation>Факторы и заключение, статистика, брак по причинам, влияние факторов, гистограммы и худшая деталь — каждое на отдельном листе.</translation>
         </message>
         <message>
-            <source>The inputs varied and every point; over two inputs every quantity on a sheet of its own, too.</source>
+            <source>The inputs varied and every point; over two inputs every quantity on a separate sheet, too.</source>
             <translation>Варьируемые величины и все точки; по двум величинам — ещё и каждый показатель на отдельном листе.</translation>
         </message>
         <message>
@@ -10640,7 +10640,7 @@ With another name both versions stay as they are.</source>
             <translation>Запас по времени</translation>
         </message>
         <message>
-            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and the binding requirements, each on a sheet of its own.</source>
+            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and the binding requirements, each on a separate sheet.</source>
             <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и ограничивающие требования — каждое на отдельном листе.</translation>
         </message>
         <message>
@@ -10969,7 +10969,7 @@ With another name both versions stay as they are.</source>
             <translation>раскрытие профиля круга при срезе</translation>
         </message>
         <message>
-            <source>share of the profile that the cut takes</source>
+            <source>share of the profile removed by the cut</source>
             <translation>доля профиля, занятая срезом</translation>
         </message>
         <message>
@@ -11009,7 +11009,7 @@ With another name both versions stay as they are.</source>
             <translation>критическая сила на одно зерно</translation>
         </message>
         <message>
-            <source>force that the wheel bears, per width and root of the depth</source>
+            <source>force that the wheel withstands, per width and root of the depth</source>
             <translation>сила, которую выдерживает круг, на единицу ширины и корня из подачи</translation>
         </message>
         <message>
@@ -11088,7 +11088,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Английский: запятая, десятичная точка…</translation>
         </message>
         <message>
-            <source>Numbers with all their digits, units in a row of their own</source>
+            <source>Numbers with all their digits, units in a separate row</source>
             <translation>Числа со всеми знаками, единицы в отдельной строке</translation>
         </message>
         <message>
@@ -12182,7 +12182,7 @@ With another name both versions stay as they are.</source>
             <translation>Ход расчёта партии</translation>
         </message>
         <message>
-            <source>Stop the batch; no report is made</source>
+            <source>Stop the batch; no report is written</source>
             <translation>Прекратить расчёт партии; отчёт не создаётся</translation>
         </message>
     </context>
@@ -12635,7 +12635,7 @@ With another name both versions stay as they are.</source>
             <translation>Одинакова по всей длине.</translation>
         </message>
         <message>
-            <source>Stages end by the position of the wheel head: the gauge has no effect, wherever it is placed.</source>
+            <source>Stages end by the position of the wheel head: the position of the gauge has no effect.</source>
             <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не действует, и все его места равноценны.</translation>
         </message>
         <message>
@@ -12683,7 +12683,7 @@ With another name both versions stay as they are.</source>
             <translation>Поставить прибор туда</translation>
         </message>
         <message>
-            <source>Make the best place the gauge&apos;s free position; can be undone</source>
+            <source>Sets the gauge&apos;s free position to the best place; can be undone</source>
             <translation>Сделать лучшее место местом прибора; можно отменить</translation>
         </message>
         <message>
@@ -12750,7 +12750,7 @@ With another name both versions stay as they are.</source>
             <translation>Требования, которые не проверяются</translation>
         </message>
         <message>
-            <source>Requirements by how much of their limit they use up</source>
+            <source>Requirements by the used share of their limit</source>
             <translation>Требования по доле занятого предела</translation>
         </message>
         <message>
@@ -13022,11 +13022,11 @@ With another name both versions stay as they are.</source>
             <translation>Объект, который печатает о расчёте командная строка; его ключи на всех языках одинаковы.</translation>
         </message>
         <message>
-            <source>Every part on sheets of its own; the trace has %1 rows on %2 sheets, a row for every pass of a radius under the wheel.</source>
+            <source>Every part on separate sheets; the trace has %1 rows on %2 sheets, a row for every pass of a radius under the wheel.</source>
             <translation>Каждая часть на своих листах; в трассе %1 строк на %2 листах, по строке на каждое прохождение радиуса под кругом.</translation>
         </message>
         <message>
-            <source>Every part on a sheet of its own.</source>
+            <source>Every part on a separate sheet.</source>
             <translation>Каждая часть на своём листе.</translation>
         </message>
         <message>
@@ -13576,11 +13576,11 @@ With another name both versions stay as they are.</source>
             <translation>По сравнению с временем вашего цикла: текущего или того, который заменил найденный</translation>
         </message>
         <message>
-            <source>By how much a stepless cycle might at most be quicker</source>
+            <source>Maximum time by which a stepless cycle might be quicker</source>
             <translation>На сколько, самое большее, может быть быстрее бесступенчатый цикл</translation>
         </message>
         <message>
-            <source>The minimum margin of all requirements, of its limit</source>
+            <source>The minimum margin of all requirements, relative to its limit</source>
             <translation>Наименьший запас из всех требований, в долях предела</translation>
         </message>
         <message>
@@ -13628,7 +13628,7 @@ With another name both versions stay as they are.</source>
             <translation>Стоимость</translation>
         </message>
         <message>
-            <source>Parts from one dressing to the next that it is fit for</source>
+            <source>Parts from one dressing to the next for which it is fit</source>
             <translation>Для скольких деталей от правки до правки он годен</translation>
         </message>
         <message>
@@ -13794,8 +13794,8 @@ yours, %</source>
             <translation>Ваш цикл</translation>
         </message>
         <message>
-            <source>Nominal part alone</source>
-            <translation>Номинальная деталь</translation>
+            <source>Nominal part only</source>
+            <translation>Только номинальная деталь</translation>
         </message>
         <message>
             <source>robustness costs %1 % of time</source>
@@ -14086,7 +14086,7 @@ parts, ≤ %</source>
             <translation>По двойной ход или оборот</translation>
         </message>
         <message>
-            <source>%1, taken off, µm</source>
+            <source>%1, removed, µm</source>
             <translation>%1, снято, мкм</translation>
         </message>
         <message>
@@ -14743,8 +14743,8 @@ target, µm</source>
             <translation>Согласовать припуски ступеней</translation>
         </message>
         <message>
-            <source>The first stage takes what the later ones leave; where they leave nothing, all keep their share</source>
-            <translation>Первая ступень снимает остаток от последующих; если остатка нет, все ступени сохраняют свои доли</translation>
+            <source>The first stage takes the stock that the later ones leave; if they leave none, all keep their share</source>
+            <translation>Первая ступень снимает припуск, оставшийся от последующих; если его не остаётся, все ступени сохраняют свои доли</translation>
         </message>
     </context>
     <context>
@@ -15088,7 +15088,7 @@ target, µm</source>
             <translation>Продолжить поиск с места остановки; ответ тот же, что и у поиска без остановки</translation>
         </message>
         <message>
-            <source>The answer and what it is compared with</source>
+            <source>The answer and the compared cycles</source>
             <translation>Ответ и с чем он сравнивается</translation>
         </message>
     </context>
@@ -15378,7 +15378,7 @@ target, µm</source>
             <translation>Экспорт</translation>
         </message>
         <message>
-            <source>Copy or save what the plot shows</source>
+            <source>Copy or save the contents of the plot</source>
             <translation>Скопировать или сохранить то, что на графике</translation>
         </message>
         <message>
@@ -15990,7 +15990,7 @@ target, µm</source>
             <translation>Расчёт не запомнен: исходные данные не приняты, поэтому его нет.</translation>
         </message>
         <message numerus="yes">
-            <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
+            <source>%n kept runs give other results with this version of the program: %1.</source>
             <translation>
                 <numerusform>В этой версии программы %n запомненный расчёт получается иначе, чем был запомнен: %1.</numerusform>
                 <numerusform>В этой версии программы %n запомненных расчёта получаются иначе, чем были запомнены: %1.</numerusform>
@@ -16668,7 +16668,7 @@ target, µm</source>
             <translation>поле допуска</translation>
         </message>
         <message>
-            <source>stocks that fail</source>
+            <source>unfit stocks</source>
             <translation>негодные припуски</translation>
         </message>
         <message>
@@ -16856,7 +16856,7 @@ target, µm</source>
             <translation>Исходные данные не приняты; варьирование — по последним верным.</translation>
         </message>
         <message>
-            <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
+            <source>What is the effect of a dull wheel, a soft tailstock, a longer dwell? Choose an input above to see every result over its range: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
             <translation>Что даёт затупленный круг, податливая задняя бабка, более долгий выстой? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
         <message>
@@ -17655,11 +17655,11 @@ target, µm</source>
     <context>
         <name>sparkout::ViewTabs</name>
         <message>
-            <source>&amp;Detach into a window of its own</source>
+            <source>&amp;Detach into a separate window</source>
             <translation>&amp;Отделить в своё окно</translation>
         </message>
         <message>
-            <source>Detach the view into a window of its own (also: double click on its tab). It comes back when the window is closed.</source>
+            <source>Detach the view into a separate window (also: double click on its tab). It returns when the window is closed.</source>
             <translation>Отделить вид в своё окно (или двойным щелчком по его вкладке). Он вернётся, когда окно закроют.</translation>
         </message>
         <message>
@@ -18196,7 +18196,7 @@ mm/min</source>
             <translation>Снятый припуск по ступеням и этапам</translation>
         </message>
         <message>
-            <source>Make-up of the diameter deviations</source>
+            <source>Components of the diameter deviations</source>
             <translation>Из чего складываются отклонения диаметра</translation>
         </message>
         <message>
@@ -18232,7 +18232,7 @@ mm/min</source>
             <translation>Цикл слишком длинный для записи по этапам.</translation>
         </message>
         <message>
-            <source>%1 of %2 stages: those that take the longest.</source>
+            <source>%1 of %2 stages: the longest ones.</source>
             <translation>Ступени: %1 из %2 — самые продолжительные.</translation>
         </message>
         <message>
@@ -18623,7 +18623,7 @@ good</source>
             <translation>Только обычные данные</translation>
         </message>
         <message>
-            <source>Besides the usual inputs, those are shown that are calibrated, refused or warned about, or that differ from both the default and the catalogue</source>
+            <source>Besides the usual inputs, calibrated, refused and doubtful ones are shown, and those that differ from both the default and the catalogue</source>
             <translation>Кроме обычных данных показаны откалиброванные, непринятые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
         </message>
     </context>
@@ -18911,7 +18911,7 @@ good</source>
             <translation>Там же, где «%1»</translation>
         </message>
         <message>
-            <source>Each surface has a name of its own.</source>
+            <source>Each surface needs its own name.</source>
             <translation>У каждой поверхности своё название.</translation>
         </message>
         <message>
@@ -18969,7 +18969,7 @@ good</source>
             <translation>&amp;Переименовать</translation>
         </message>
         <message>
-            <source>Each surface has a name of its own.</source>
+            <source>Each surface needs its own name.</source>
             <translation>У каждой поверхности своё название.</translation>
         </message>
     </context>
@@ -19102,7 +19102,7 @@ good</source>
             <translation>прогиб пропорционален нагрузке</translation>
         </message>
         <message>
-            <source>there is play, and the stiffness is that beyond it: take the play out before loading</source>
+            <source>there is play, and the stiffness is that beyond it: remove the play before loading</source>
             <translation>есть зазор, и указана жёсткость после его выбора: выберите зазор перед нагружением</translation>
         </message>
         <message>
@@ -19314,7 +19314,7 @@ good</source>
             <translation>Остатки на графике</translation>
         </message>
         <message>
-            <source>Measured less predicted</source>
+            <source>Measured minus predicted</source>
             <translation>Измерено минус расчёт</translation>
         </message>
         <message>
@@ -19470,7 +19470,7 @@ good</source>
             <translation>Эти значения применить нельзя. %1. %2</translation>
         </message>
         <message>
-            <source>These values cannot be applied: what was left out distorts them. Fit it too.</source>
+            <source>These values cannot be applied: an omitted parameter distorts them. Fit it too.</source>
             <translation>Эти значения применить нельзя: их искажает то, что не учтено. Определите и это.</translation>
         </message>
         <message>
@@ -19486,7 +19486,7 @@ good</source>
             <translation>Определить и &amp;это</translation>
         </message>
         <message>
-            <source>Checks what was left out, and fits again</source>
+            <source>Checks the omitted parameters, and fits again</source>
             <translation>Отмечает то, что не учтено, и подбирает заново</translation>
         </message>
         <message>
@@ -19658,7 +19658,7 @@ The size alone determines α and β, that is the compliance together with the fo
             <translation>расчёт</translation>
         </message>
         <message>
-            <source>measured less simulated</source>
+            <source>measured minus simulated</source>
             <translation>измерено минус расчёт</translation>
         </message>
         <message>
@@ -20019,7 +20019,7 @@ The size alone determines α and β, that is the compliance together with the fo
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>as the table says</source>
+            <source>as stated in the table</source>
             <translation>как в таблице</translation>
         </message>
         <message>
@@ -20748,7 +20748,7 @@ The size alone determines α and β, that is the compliance together with the fo
             <translation>не определяется</translation>
         </message>
         <message>
-            <source>Before the machine grinds a trial, this compares 24 of them: a third, one and three times the feed of the first stage, without and with a spark-out, by what is recorded. The best one narrows the chosen parameters down most.</source>
+            <source>Before the machine grinds a trial, this compares 24 of them: a third, one and three times the feed of the first stage, without and with a spark-out, by the recorded quantities. The best one narrows the chosen parameters down most.</source>
             <translation>Прежде чем шлифовать опытную деталь, здесь сравниваются 24 опыта: подача первой ступени, втрое меньше и втрое больше, без выхаживания и с ним, по тому, что записывается. Лучший опыт точнее всех определяет выбранные параметры.</translation>
         </message>
         <message>
@@ -20938,11 +20938,11 @@ s</source>
             <translation>Деталей между правками</translation>
         </message>
         <message>
-            <source>&amp;Each part holds for:</source>
+            <source>&amp;Each part must be fit for:</source>
             <translation>&amp;Каждая деталь годна для:</translation>
         </message>
         <message>
-            <source>the part as it stands</source>
+            <source>the part as stated</source>
             <translation>детали, как она задана</translation>
         </message>
         <message>
@@ -21151,7 +21151,7 @@ s</source>
             <translation>Фактическая подача</translation>
         </message>
         <message>
-            <source>Programmed less actual feed, accumulated</source>
+            <source>Programmed minus actual feed, accumulated</source>
             <translation>Отставание накопленной фактической подачи от программной</translation>
         </message>
         <message>
@@ -21478,7 +21478,7 @@ s</source>
             <translation>в проекте ошибки или его цикл не заканчивается</translation>
         </message>
         <message>
-            <source>the run has no figure that a step asks for</source>
+            <source>the run does not give a quantity that a step asks for</source>
             <translation>в расчёте нет показателя, о котором спрашивает шаг</translation>
         </message>
         <message>
@@ -21498,11 +21498,11 @@ s</source>
             <translation>не найдено значение, дающее заданный показатель</translation>
         </message>
         <message>
-            <source>the best answer is too quick beside the lesson&apos;s</source>
+            <source>the best answer is too quick compared with the lesson&apos;s</source>
             <translation>лучший ответ слишком быстр по сравнению с исходной работой</translation>
         </message>
         <message>
-            <source>the best answer is too slow beside the lesson&apos;s</source>
+            <source>the best answer is too slow compared with the lesson&apos;s</source>
             <translation>лучший ответ слишком медленный по сравнению с исходной работой</translation>
         </message>
         <message>
@@ -22286,7 +22286,7 @@ s</source>
             <translation>Разбираемый шаг</translation>
         </message>
         <message>
-            <source>Every formula stands in symbols, then with the numbers that are given. Write what is missing: a number that an equation computes is put in where it stands in the next ones.</source>
+            <source>Every formula is printed in symbols, then with the given numbers. Fill in the missing ones: insert a computed number wherever it occurs in the next equations.</source>
             <translation>Каждая формула записана в обозначениях, затем с заданными числами. Впишите недостающее: число, найденное по одной формуле, подставляется в следующие.</translation>
         </message>
         <message>
@@ -22329,7 +22329,7 @@ s</source>
             <translation>Компьютер с программой %1 на каждого студента; сеть не нужна. Студент получает файл своего варианта и сдаёт его же; по нему печатается отчёт.</translation>
         </message>
         <message>
-            <source>Inputs of the lesson as it stands</source>
+            <source>Inputs of the original lesson</source>
             <translation>Исходные данные работы до вариантов</translation>
         </message>
         <message>
@@ -22337,7 +22337,7 @@ s</source>
             <translation>Отчёт</translation>
         </message>
         <message>
-            <source>The report has, in the order of GOST 7.32: title page, contents, introduction with the aim, data of the variant, theory in brief, results step by step with tables and figures, predictions beside results, kept runs compared, conclusion in the student&apos;s own words, sources.</source>
+            <source>The report contains, in the order of GOST 7.32: title page, contents, introduction with the aim, data of the variant, theory in brief, results step by step with tables and figures, predictions beside results, kept runs compared, conclusion in the student&apos;s own words, sources.</source>
             <translation>Отчёт содержит в порядке ГОСТ 7.32: титульный лист, содержание, введение с целью работы, исходные данные варианта, краткую теорию, результаты по шагам с таблицами и рисунками, предсказания рядом с результатами, сравнение запомненных расчётов, заключение словами студента, список источников.</translation>
         </message>
         <message>
@@ -22489,7 +22489,7 @@ s</source>
             <translation>Ваша кривая: %1</translation>
         </message>
         <message>
-            <source>Left and Right choose a place, Up and Down move its point, Del takes it away.</source>
+            <source>Left and Right choose a place, Up and Down move its point, Del removes it.</source>
             <translation>Стрелки влево и вправо выбирают место, вверх и вниз двигают точку, Del убирает её.</translation>
         </message>
     </context>
@@ -22792,7 +22792,7 @@ s</source>
             <translation>Работ больше %1; взяты первые.</translation>
         </message>
         <message>
-            <source>Not taken</source>
+            <source>Not accepted</source>
             <translation>Не принято</translation>
         </message>
         <message>
@@ -23066,7 +23066,7 @@ s</source>
             <translation>Уровней: %1</translation>
         </message>
         <message>
-            <source>the one in front</source>
+            <source>the current one</source>
             <translation>открытый</translation>
         </message>
     </context>
@@ -23246,7 +23246,7 @@ s</source>
             <translation>&amp;Испытать</translation>
         </message>
         <message>
-            <source>Do the laboratory work in the window, from the step in front on</source>
+            <source>Do the laboratory work in the window, beginning with the current step</source>
             <translation>Выполнить работу в окне, как студент, с открытого шага</translation>
         </message>
         <message>
@@ -23490,7 +23490,7 @@ s</source>
         <translation>Причина отказа</translation>
     </message>
     <message>
-        <source>Searching for the best answer of the work as it stands…</source>
+        <source>Searching for the best answer of the original work…</source>
         <translation>Ищется лучший ответ исходной работы…</translation>
     </message>
     <message>
@@ -23502,7 +23502,7 @@ s</source>
         <translation>Попыток: %1, вариантов: %2</translation>
     </message>
     <message>
-        <source>The work as it stands: best time %1 min, margin %2 %</source>
+        <source>The original work: best time %1 min, margin %2 %</source>
         <translation>Исходная работа: лучшее время %1 мин, запас %2 %</translation>
     </message>
     </context>

@@ -219,9 +219,8 @@ IssueWords wordsOf(IssueCode code) {
                                        "the unreached length must be relieved")};
     case IssueCode::shoulderInTheWay:
         return {"shoulder_in_the_way",
-                SPARKOUT_NOOP("Issue",
-                              "an overrun of {value} takes the wheel into a shoulder of the "
-                              "shaft; allowed: {limit}")};
+                SPARKOUT_NOOP("Issue", "an overrun of {value} runs the wheel into a shoulder of "
+                                       "the shaft; allowed: {limit}")};
     case IssueCode::shouldersTooNear:
         return {"shoulders_too_near",
                 SPARKOUT_NOOP("Issue", "a wheel {value} wide does not fit between the shoulders of "
@@ -275,9 +274,11 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::severalFit:
         return {"several_fit", SPARKOUT_NOOP("Issue", "{value} fits several: {limit}")};
     case IssueCode::otherMachines:
-        return {"other_machines",
-                SPARKOUT_NOOP("Issue", "{value} does not take this part; machines of the catalogue "
-                                       "that do: {limit}")};
+        return {
+            "other_machines",
+            SPARKOUT_NOOP(
+                "Issue",
+                "{value} does not accept this part; machines of the catalogue that do: {limit}")};
     case IssueCode::noLaw:
         return {"no_law", SPARKOUT_NOOP("Issue", "no law given; expected one of {limit}")};
     case IssueCode::notAProject:

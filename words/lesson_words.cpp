@@ -105,7 +105,7 @@ const char* variantFaultText(VariantFault fault) {
     case VariantFault::invalid:
         return SPARKOUT_NOOP("Variants", "the project has errors, or its cycle does not end");
     case VariantFault::noFigure:
-        return SPARKOUT_NOOP("Variants", "the run has no figure that a step asks for");
+        return SPARKOUT_NOOP("Variants", "the run does not give a quantity that a step asks for");
     case VariantFault::solved: return SPARKOUT_NOOP("Variants", "a step is solved as given");
     case VariantFault::otherFigure:
         return SPARKOUT_NOOP("Variants", "a figure is outside the bounds that the lesson sets");
@@ -117,9 +117,9 @@ const char* variantFaultText(VariantFault fault) {
         return SPARKOUT_NOOP("Variants",
                              "no value of a free input was found that gives the required quantity");
     case VariantFault::tooQuick:
-        return SPARKOUT_NOOP("Variants", "the best answer is too quick beside the lesson's");
+        return SPARKOUT_NOOP("Variants", "the best answer is too quick compared with the lesson's");
     case VariantFault::tooSlow:
-        return SPARKOUT_NOOP("Variants", "the best answer is too slow beside the lesson's");
+        return SPARKOUT_NOOP("Variants", "the best answer is too slow compared with the lesson's");
     case VariantFault::otherMargin:
         return SPARKOUT_NOOP("Variants", "the best answer's margin is too far from the lesson's");
     case VariantFault::count_: break;

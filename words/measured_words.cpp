@@ -20,7 +20,8 @@ using nlohmann::ordered_json;
 
 constexpr Output<Identification> identificationRows[] = {
     {{.key = "status"}, [](const Identification& i) { return std::string(wordsOf(i.status).key); }},
-    {{.key = "condition", .hint = "of the derivatives; none where they depend on each other"},
+    {{.key = "condition",
+      .hint = "condition number of the derivatives; none if they depend on each other"},
      [](const Identification& i) {
          return std::isfinite(i.condition) ? std::optional(i.condition) : std::nullopt;
      }},
@@ -47,7 +48,7 @@ constexpr Output<FitResiduals> residualsRows[] = {
      [](const FitResiduals& r) { return std::int64_t{r.trace}; }},
     {{.key = "count"}, [](const FitResiduals& r) { return std::int64_t(r.values.size()); }},
     {{.key = "rms"}, [](const FitResiduals& r) { return r.rms; }},
-    {{.key = "noise", .hint = "of a trace, from what neighbouring values differ by"},
+    {{.key = "noise", .hint = "noise of a trace, from differences of neighbouring values"},
      [](const FitResiduals& r) {
          return r.noise ? std::optional(std::sqrt(r.noise->variance())) : std::nullopt;
      }},
@@ -367,9 +368,8 @@ MeasuredWords wordsOf(LoadLine line) {
     case LoadLine::straight:
         return {"straight", SPARKOUT_NOOP("Trial", "deflection is in proportion to the load")};
     case LoadLine::play:
-        return {"play",
-                SPARKOUT_NOOP("Trial", "there is play, and the stiffness is that beyond it: "
-                                       "take the play out before loading")};
+        return {"play", SPARKOUT_NOOP("Trial", "there is play, and the stiffness is that beyond "
+                                               "it: remove the play before loading")};
     case LoadLine::bent:
         return {"bent", SPARKOUT_NOOP("Trial", "the stiffness changes with the load, and the "
                                                "result is a mean: load as the deepest cut does")};

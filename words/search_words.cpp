@@ -214,7 +214,8 @@ std::string searchRefusal(const SearchOutcome& outcome) {
 std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion& asked) {
     switch (read.fault) {
     case SearchStateFault::none: break;
-    case SearchStateFault::otherFormat: return "is no progress of a search, and stays as it is";
+    case SearchStateFault::otherFormat:
+        return "is not the progress of a search, and stays as it is";
     case SearchStateFault::otherVersion:
         return "is the progress of a search by another version of this program";
     case SearchStateFault::changed:
@@ -237,7 +238,7 @@ std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion
 std::string SearchWording::fault(const SearchOutcome& outcome) const {
     if (outcome.isOtherOperation) {
         return filled(SPARKOUT_NOOP("Search", "This method is for plunge grinding; the exact "
-                                              "search takes traverse cycles (%1)."),
+                                              "search handles traverse cycles (%1)."),
                       {method(SearchMethod::pruned)});
     }
     if (outcome.isOtherAim) {
@@ -454,9 +455,9 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
     if (before_s && *before_s > 0) {
         constexpr double noticed = 5e-4;
         const double change = outcome.answer()->time_s / *before_s - 1;
-        lines.push_back(change < -noticed
-                            ? filled("That is %1 % less than your cycle takes.", {percent(-change)})
-                            : filled("Your cycle takes %1.", {time(*before_s)}));
+        lines.push_back(change < -noticed ? filled("That is %1 % less than the time of your cycle.",
+                                                   {percent(-change)})
+                                          : filled("Your cycle takes %1.", {time(*before_s)}));
     }
     addLimit(outcome, lines);
     addBinding(outcome, lines);
@@ -702,7 +703,7 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
         }
     }
     if (robust.nominalTime_s > 0) {
-        lines.push_back(filled("The nominal part alone, of the same levels, would take %1: "
+        lines.push_back(filled("For the nominal part only, the same levels would give %1: "
                                "robustness costs %2 % of time.",
                                {time(robust.nominalTime_s),
                                 percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));

@@ -112,7 +112,7 @@ Command optimizeCommand() {
           .value = number("S", "a number of seconds", 0, 1e9),
           .text =
               {"ends search, refinement and front after this number of seconds, as Ctrl+C does: "
-               "the best cycle so far is kept, with the time that no cycle is quicker than",
+               "the best cycle so far is kept, with a bound below which no cycle lies",
                "прекращает поиск, уточнение и запасы по времени через столько секунд, как Ctrl+C: "
                "остаётся лучшее из найденного и время, быстрее которого цикла нет"}},
          {.name = "--threads",
@@ -177,8 +177,8 @@ std::vector<Option> batchOptions() {
          .value = file("OUT.csv"),
          .text =
              {"writes a row for every part: its factors, all quantities, and whether each "
-              "requirement is met; the same for any number of threads, and no file when it is "
-              "ended by Ctrl+C",
+              "requirement is met; the file is the same for any number of threads, and is not "
+              "written after Ctrl+C",
               "пишет строку на деталь: её факторы, все показатели, выполнено ли каждое требование; "
               "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
         {.name = "--force",
@@ -368,9 +368,9 @@ std::vector<Option> measuredOptions() {
 Command measuredCommand() {
     return {"measured",
             oneFile,
-            {"compares what was measured, in the file's section measured, with the predicted "
-             "batch: for each zone or section and quantity the mean with its 95 % interval, the "
-             "predicted range, Fisher's ratio of the variances, the share of the parts inside",
+            {"compares the measurements in the file's section measured with the predicted batch: "
+             "for each zone or section and quantity the mean with its 95 % interval, the predicted "
+             "range, Fisher's ratio of the variances, the share of the parts inside",
              "сравнивает измеренное (раздел файла measured) с партией, которую прогнозирует "
              "модель: для каждой зоны или сечения и каждой величины — среднее с интервалом 95 %, "
              "диапазон прогноза, отношение дисперсий Фишера, доля деталей в этом диапазоне"},
@@ -477,8 +477,8 @@ Command newCommand() {
                    "отверстие, даже если поле записано строчными буквами"}},
          {.name = "--operation",
           .value = choice("plunge traverse"),
-          .text = {"instead of plunge grinding where the wheel covers the length, else traverse "
-                   "grinding",
+          .text = {"kind of operation; by default plunge grinding if the wheel covers the length, "
+                   "otherwise traverse grinding",
                    "вместо врезного шлифования, если круг перекрывает длину, иначе с продольной "
                    "подачей"}},
          {.name = "--shoulder",
@@ -565,8 +565,7 @@ const Program& commandLineProgram() {
            "optimize не нашёл цикла, но он может существовать: истекло время или метод ничего не "
            "доказывает"}},
          {"130, 143",
-          {"ended by Ctrl+C or SIGTERM before its end; optimize with a cycle found ends with 0 and "
-           "gives it",
+          {"ended by Ctrl+C or SIGTERM; optimize with a cycle found ends with 0 and prints it",
            "прервано Ctrl+C или SIGTERM до конца; optimize с найденным циклом завершается с кодом "
            "0 и выдаёт его"}}}};
     return program;

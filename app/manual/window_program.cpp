@@ -128,7 +128,7 @@ std::vector<Option> windowOptions() {
          .value = textLike("VIEW", "a view, by name or number",
                            "overview feeds profiles constraints compliance layers batch sweep "
                            "optimise compare measured"),
-         .text = {"the view in front, by name (feeds) or number",
+         .text = {"the view to show, by name (feeds) or number",
                   "открытый вид, по имени (feeds) или по номеру"}},
         {.name = "--stroke",
          .value = integer("N", 0, highestInteger),
@@ -140,7 +140,7 @@ std::vector<Option> windowOptions() {
                   "размер окна; по умолчанию 1366x768"}},
         {.name = "--portable",
          .text = {"keeps settings, own catalogues and recovery in the folder settings beside the "
-                  "program, as on a stick, and leaves those of the user alone",
+                  "program, as on a stick, without changing those of the user",
                   "хранит настройки, свои каталоги и данные восстановления в папке settings рядом "
                   "с программой, например на флешке, и не трогает настройки пользователя"}},
         {.name = "--time-start",

@@ -209,7 +209,7 @@ constexpr std::array<FigureRow, figureCount> figureRows{{
      FigureScope::step,
      false},
     {FigureName::lag,
-     {"lag_um", SPARKOUT_NOOP("Figure", "Programmed less actual feed, accumulated")},
+     {"lag_um", SPARKOUT_NOOP("Figure", "Programmed minus actual feed, accumulated")},
      "µm",
      2,
      FigureScope::step,

@@ -314,7 +314,8 @@ const StructInfo& tableOf<LessonStep>() {
         SPARKOUT_FIELD(LessonStep, task, .label = SPARKOUT_NOOP("Input", "Task")),
         SPARKOUT_FIELD(LessonStep, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
                        .hard = {1, 20}, .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "The one that the step is about, from 1.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Number of the surface that the step is about, from 1.")),
         SPARKOUT_FIELD(
             LessonStep, values, .label = SPARKOUT_NOOP("Input", "Values"), .hard = {0, 100},
             .sparse = true,

@@ -393,7 +393,7 @@ double priceOf(const LessonStep& step, const StepRecord& record) {
 
 template <>
 std::span<const Choice> choicesOf<WorkEvent>() {
-    static constexpr std::array choices{Choice{"prediction", "said before the run"},
+    static constexpr std::array choices{Choice{"prediction", "predicted before the run"},
                                         Choice{"attempt", "handed in"},
                                         Choice{"hint", "hint taken"}, Choice{"run", "run kept"}};
     return choices;
@@ -435,7 +435,7 @@ const StructInfo& tableOf<WorkSheet>() {
                        .hint = "SHA-256 of the teacher's lesson as students may have it, without "
                                "a variant."),
         SPARKOUT_FIELD(WorkSheet, sha256, .label = "Seal", .required = conditions::always,
-                       .hint = "SHA-256 of what stands above and of the lesson with its variant."),
+                       .hint = "SHA-256 of the values above and of the lesson with its variant."),
         SPARKOUT_FIELD(WorkSheet, entries, .label = "Entries",
                        .hard = {0, static_cast<double>(limits::workEntries)},
                        .hint = "Everything handed in, in order."),

@@ -309,8 +309,9 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
     {{.key = "bias_95_um",
       .label = SPARKOUT_NOOP("Output", "Bias"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Measured less predicted mean: Welch's interval, 95 %, with "
-                                      "the uncertainty of measuring")},
+      .hint = SPARKOUT_NOOP(
+          "Output",
+          "Measured minus predicted mean: Welch's interval, 95 %, with the measuring uncertainty")},
      [](const AdequacyOf& a) { return a.row.bias95; }},
     {{.key = "bias_limit_um",
       .label = SPARKOUT_NOOP("Output", "Limit of bias"),

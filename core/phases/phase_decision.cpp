@@ -276,7 +276,7 @@ constexpr Output<DecidedPiece> pieceRows[] = {
 };
 
 constexpr Output<FailingStocks> failingRows[] = {
-    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle fails"},
+    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle is unfit"},
      [](const FailingStocks& f) { return endsOf(f.stocks); }},
     {{.key = "status"}, [](const FailingStocks& f) { return std::string(statusKey(f.status)); }},
 };

@@ -248,13 +248,13 @@ const StructInfo& tableOf<MachineLimits>() {
                        .label = SPARKOUT_NOOP("Input", "Maximum part length"), .symbol = "L_m",
                        .unit = "mm", .hard = {1, 1e5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Length that the machine takes.")),
+                       .hint = SPARKOUT_NOOP("Input", "Length that the machine accepts.")),
         SPARKOUT_FIELD(
             MachineLimits, wheel_diameter_mm,
             .label = SPARKOUT_NOOP("Input", "Maximum wheel diameter"), .symbol = "D_m",
             .unit = "mm", .hard = {0.5, 2000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
             .sparse = true, .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "Diameter of a new wheel that the machine takes.")),
+            .hint = SPARKOUT_NOOP("Input", "Diameter of a new wheel that the machine accepts.")),
         SPARKOUT_FIELD(
             MachineLimits, wheel_width_mm, .label = SPARKOUT_NOOP("Input", "Range of wheel widths"),
             .symbol = "B_m", .unit = "mm", .hard = {0.5, 1000},
@@ -318,7 +318,7 @@ const StructInfo& tableOf<MachineForm>() {
             MachineForm, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
             .unit = "°", .hard = {0, 360},
-            .nullMeaning = SPARKOUT_NOOP("Input", "where the runout is the one given"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "the angle that gives the stated runout"),
             .page = Page::machine,
             .hint = SPARKOUT_NOOP(
                 "Input",

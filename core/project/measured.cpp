@@ -207,8 +207,8 @@ const StructInfo& tableOf<MeasuredTrace>() {
         SPARKOUT_FIELD(
             MeasuredTrace, source_samples, .label = SPARKOUT_NOOP("Input", "Samples of the source"),
             .hard = {0, 1e9}, .sparse = true,
-            .hint = SPARKOUT_NOOP("Input", "Number of samples in that file; where there were more "
-                                           "than are kept, they were reduced to means.")),
+            .hint = SPARKOUT_NOOP("Input", "Number of samples in that file; if they exceeded the "
+                                           "limit, they were reduced to means.")),
         SPARKOUT_FIELD(MeasuredTrace, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };

@@ -33,10 +33,11 @@ const StructInfo& tableOf<Cost>() {
                        .required = conditions::always, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Cost of an hour, in any currency."),
                        .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
-        SPARKOUT_FIELD(Cost, handling_s, .label = SPARKOUT_NOOP("Input", "Handling"),
-                       .symbol = "t_h", .unit = "s", .hard = {0, 1e6}, .page = Page::search,
-                       .hint = SPARKOUT_NOOP("Input", "Loading and measuring, beside the cycle."),
-                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(
+            Cost, handling_s, .label = SPARKOUT_NOOP("Input", "Handling"), .symbol = "t_h",
+            .unit = "s", .hard = {0, 1e6}, .page = Page::search,
+            .hint = SPARKOUT_NOOP("Input", "Loading and measuring, in addition to the cycle."),
+            .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
         SPARKOUT_FIELD(Cost, dressing_s, .label = SPARKOUT_NOOP("Input", "Dressing time"),
                        .symbol = "t_d", .unit = "s", .hard = {0, 1e6}, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Shared by the parts between dressings."),
@@ -50,7 +51,7 @@ const StructInfo& tableOf<Cost>() {
                        .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .symbol = "N",
                        .hard = {1, 1000000},
                        .nullMeaning = SPARKOUT_NOOP(
-                           "Input", "as the batch's dullness grows, else no dressing"),
+                           "Input", "as the batch's dullness grows, otherwise no dressing"),
                        .page = Page::search,
                        .hint = SPARKOUT_NOOP(
                            "Input", "For the minimum cost with a wheel that wears, the search "
@@ -81,10 +82,10 @@ Field adaptiveLevels() {
     return SPARKOUT_FIELD(
         Optimisation, adaptive, .label = SPARKOUT_NOOP("Input", "Levels follow the answer"),
         .page = Page::search,
-        .hint =
-            SPARKOUT_NOOP("Input", "Levels of the feeds are added around the answer, and beyond "
-                                   "the edge of the grid where the answer lies there and the "
-                                   "machine allows it; then the grid is searched again."),
+        .hint = SPARKOUT_NOOP(
+            "Input",
+            "Levels of the feeds are added around the answer, and beyond the edge of the grid if "
+            "the answer lies there and the machine allows it; then the grid is searched again."),
         .source = "MODEL-8");
 }
 
@@ -95,9 +96,9 @@ Field continuousLevels() {
         .hard = {0, 10, true},
         .nullMeaning = SPARKOUT_NOOP("Input", "cycles without one are searched"),
         .relevant = conditions::travels, .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input",
-                              "A stage then has one of these, and no radial feed at the reversals, "
-                              "or one of the radial feeds: a list, or from, to and step."),
+        .hint = SPARKOUT_NOOP(
+            "Input", "A stage then has either one of these and no radial feed at the reversals, or "
+                     "one of the radial feeds: a list, or from, to and step."),
         .source = "MODEL-8");
 }
 
@@ -118,8 +119,8 @@ Field objective() {
         .usual = true,
         .hint = SPARKOUT_NOOP("Input",
                               "Cost and wheel life are searched over the parts from one dressing "
-                              "to the next: the cycle holds for all of them, with the wheel as the "
-                              "part's wear makes it. The minimum cost needs the cost of a part."),
+                              "to the next: the cycle is fit for all of them, with the wheel as "
+                              "worn by the parts. The minimum cost needs the cost of a part."),
         .source = "GILBERT1950");
 }
 
@@ -154,7 +155,7 @@ Field costOfPart() {
         Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
         .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
         .hint = SPARKOUT_NOOP(
-            "Input", "Shown beside the time; the minimum is searched where that is the objective."),
+            "Input", "Shown beside the time; the minimum is searched if it is the objective."),
         .source = "GILBERT1950");
 }
 

@@ -381,13 +381,13 @@ const StructInfo& tableOf<Part>() {
                        .symbol = "es", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Upper limit of the diameter less the nominal diameter."),
+                           "Input", "Upper limit of the diameter minus the nominal diameter."),
                        .formula = "D_max = d + es", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, lower_deviation_um, .label = SPARKOUT_NOOP("Input", "Lower deviation"),
                        .symbol = "ei", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Lower limit of the diameter less the nominal diameter."),
+                           "Input", "Lower limit of the diameter minus the nominal diameter."),
                        .formula = "D_min = d + ei", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, length_mm, .label = SPARKOUT_NOOP("Input", "Ground length"),
                        .symbol = "L_p", .unit = "mm", .hard = {0.1, 10000}, .soft = {2, 2000},

@@ -37,19 +37,20 @@ constexpr Output<ZoneFormFigures> zoneFormRows[] = {
     {{.key = "total_runout_um",
       .label = SPARKOUT_NOOP("Output", "Total runout"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "About the centre axis, over all sections, with the "
-                                      "machine's own.")},
+      .hint = SPARKOUT_NOOP(
+          "Output",
+          "About the centre axis, over all sections, including the machine's own runout.")},
      [](const ZoneFormFigures& of) { return knownUm(of, of.form->totalRunout_mm); }},
     {{.key = "taper_um",
       .label = SPARKOUT_NOOP("Output", "Taper"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Mean radius at the zone's last section less that at its "
-                                      "first, of the straight line through them.")},
+      .hint = SPARKOUT_NOOP("Output", "Mean radius at the zone's last section minus that at its "
+                                      "first, on the straight line through them.")},
      [](const ZoneFormFigures& of) { return knownUm(of, of.form->profile.taper_mm); }},
     {{.key = "crown_um",
       .label = SPARKOUT_NOOP("Output", "Crown"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Mean radius in the zone's middle less that at its ends: "
+      .hint = SPARKOUT_NOOP("Output", "Mean radius in the zone's middle minus that at its ends: "
                                       "above 0 a barrel, below it a saddle.")},
      [](const ZoneFormFigures& of) { return knownUm(of, of.form->profile.crown_mm); }},
 };

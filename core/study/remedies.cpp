@@ -138,7 +138,8 @@ constexpr Output<RemedyConflictOf> conflictRows[] = {
      }},
     {{.key = "stock_mm",
       .unit = "mm",
-      .hint = "stock per side for which the cycle fails with it; none unless the kind is stocks"},
+      .hint =
+          "stock per side for which the cycle is unfit with it; none unless the kind is stocks"},
      [](const RemedyConflictOf& c) {
          return c.conflict.kind == RemedyConflict::Kind::stocks ? std::optional(c.conflict.stock_mm)
                                                                 : std::nullopt;

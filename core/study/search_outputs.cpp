@@ -61,7 +61,7 @@ constexpr Output<Found> searchRows[] = {
          return f.answer() ? std::optional(inMinutes(f.answer()->time_s)) : std::nullopt;
      }},
     {{.key = "least_relative_margin",
-      .label = SPARKOUT_NOOP("Output", "Minimum margin of all requirements, of its limit"),
+      .label = SPARKOUT_NOOP("Output", "Minimum margin of all requirements, relative to its limit"),
       .shownUnit = "%",
       .shownFactor = 100},
      [](const Found& f) {

@@ -385,9 +385,8 @@ void FormPage::showAllButton() {
                    : shown > 0
                        ? tr("%1 · %n other(s) shown", nullptr, static_cast<int>(shown)).arg(all)
                        : all);
-    m_all->setToolTip(
-        tr("Besides the usual inputs, those are shown that are calibrated, refused or warned "
-           "about, or that differ from both the default and the catalogue"));
+    m_all->setToolTip(tr("Besides the usual inputs, calibrated, refused and doubtful ones are "
+                         "shown, and those that differ from both the default and the catalogue"));
     m_all->setAccessibleName(m_all->text());
     m_all->setVisible(m_access->isFree() && (m_rank.showsAll || onDemand > shown));
 }

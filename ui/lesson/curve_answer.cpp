@@ -532,7 +532,7 @@ void CurveAnswer::retranslate() {
     m_sketch->setCurveNames(tr("prediction"), tr("result"));
     m_sketch->setAccessibleName(tr("Your curve: %1").arg(value));
     m_sketch->setAccessibleDescription(
-        tr("Left and Right choose a place, Up and Down move its point, Del takes it away."));
+        tr("Left and Right choose a place, Up and Down move its point, Del removes it."));
 }
 
 } // namespace sparkout

@@ -144,7 +144,7 @@ void LessonEditor::build() {
         [this] { emit projectWanted(); }));
     files->addWidget(make(
         "editTry", [] { return tr("&Try as a student"); },
-        [] { return tr("Do the laboratory work in the window, from the step in front on"); },
+        [] { return tr("Do the laboratory work in the window, beginning with the current step"); },
         [this] { tryOut(); }));
     const auto ofStep = [&](QPushButton* button, int row, int column) {
         steps->addWidget(button, row, column);

@@ -343,7 +343,7 @@ std::vector<LessonForm::Option> LessonForm::optionsFor(const Row& row) const {
             options.push_back({std::move(text), QString::fromStdString(path)});
         }
     } else if (&row.table == &tableOf<ShownMoment>() && std::string_view(row.field.key) == "view") {
-        options.push_back({tr("the one in front"), QString()});
+        options.push_back({tr("the current one"), QString()});
         for (const Choice& choice : choicesOf<Hideable>()) {
             if (viewNamed(choice.key)) {
                 options.push_back({choiceText(choice.label), QString::fromLatin1(choice.key)});

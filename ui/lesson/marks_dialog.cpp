@@ -317,7 +317,7 @@ void MarksDialog::add(const QStringList& paths) {
     }
     showInputs();
     if (!faults.isEmpty()) {
-        showFailure(this, tr("Not taken"), faults.join(u'\n'));
+        showFailure(this, tr("Not accepted"), faults.join(u'\n'));
     }
 }
 

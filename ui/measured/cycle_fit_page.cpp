@@ -356,7 +356,7 @@ QWidget* CycleFitPage::buildButtons() {
     m_leaveOut->setObjectName(QStringLiteral("fitLeaveOut"));
     m_leaveOut->setToolTip(tr("Clears undetermined parameters"));
     m_fitTimes->setObjectName(QStringLiteral("fitTimes"));
-    m_fitTimes->setToolTip(tr("Checks what was left out, and fits again"));
+    m_fitTimes->setToolTip(tr("Checks the omitted parameters, and fits again"));
     m_take->setObjectName(QStringLiteral("fitTake"));
     m_take->setToolTip(tr("Applies the values found to the inputs, as one edit that can be undone, "
                           "and marks them as calibrated"));
@@ -492,7 +492,8 @@ QString CycleFitPage::consequences() const {
             .arg(refused.join(QStringLiteral("; ")), advice);
     }
     if (!m_result->outOfStep.empty()) {
-        return tr("These values cannot be applied: what was left out distorts them. Fit it too.");
+        return tr(
+            "These values cannot be applied: an omitted parameter distorts them. Fit it too.");
     }
     if (m_result->status == IdentificationStatus::doesNotFit) {
         return tr("These values cannot be applied: the model does not fit. %1").arg(advice);

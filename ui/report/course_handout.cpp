@@ -367,9 +367,8 @@ private:
             return;
         }
         add(WorkedStep::facts(*m_outcome, *step));
-        add(Paragraph{
-            tr("Every formula stands in symbols, then with its numbers, then with its result. "
-               "Numbers are put in with as many digits as the printed result needs.")});
+        add(Paragraph{tr("Every formula is printed in symbols, then with its numbers, then with "
+                         "its result. Numbers have as many digits as the printed result needs.")});
         add(formulas);
     }
 

@@ -44,14 +44,14 @@ public:
                        "printed from it.")
                         .arg(m_paper.report().program));
         m_paper.table(StudentView(Lesson()).inputs(m_lesson.base.surfaces.front().project),
-                      tr("Inputs of the lesson as it stands"));
+                      tr("Inputs of the original lesson"));
         writeVariants();
         writeTime();
         writeOrder();
         writeQuestions();
         writeMistakes();
         m_paper.section(tr("The report"));
-        m_paper.say(tr("The report has, in the order of GOST 7.32: title page, contents, "
+        m_paper.say(tr("The report contains, in the order of GOST 7.32: title page, contents, "
                        "introduction with the aim, data of the variant, theory in brief, results "
                        "step by step with tables and figures, predictions beside results, kept "
                        "runs compared, conclusion in the student's own words, sources."));

@@ -340,14 +340,14 @@ QString studyNote(StudyKind kind) {
     switch (kind) {
     case StudyKind::batch:
         return StudyBook::tr("Factors and verdict, statistics, rejects by cause, influence of the "
-                             "factors, histograms and the worst part, each on a sheet of its own.");
+                             "factors, histograms and the worst part, each on a separate sheet.");
     case StudyKind::sweep:
-        return StudyBook::tr("The inputs varied and every point; over two inputs every quantity "
-                             "on a sheet of its own, too.");
+        return StudyBook::tr("The inputs varied and every point; over two inputs every quantity on "
+                             "a separate sheet, too.");
     case StudyKind::search:
         return StudyBook::tr(
             "The answer, the settings, the cycle found, the best cycles, the time by stages, the "
-            "margin by time and the binding requirements, each on a sheet of its own.");
+            "margin by time and the binding requirements, each on a separate sheet.");
     }
     return {};
 }

@@ -140,7 +140,7 @@ constexpr Meaning meanings[] = {
     {"N_s", QT_TRANSLATE_NOOP("Symbol", "structure number of the wheel")},
     {"G", QT_TRANSLATE_NOOP("Symbol", "profile of the dressed grains")},
     {"y", QT_TRANSLATE_NOOP("Symbol", "opening of the wheel's profile by the cut"), roughnessName},
-    {"s", QT_TRANSLATE_NOOP("Symbol", "share of the profile that the cut takes")},
+    {"s", QT_TRANSLATE_NOOP("Symbol", "share of the profile removed by the cut")},
     {"f", QT_TRANSLATE_NOOP("Symbol", "calibration of Ra: measured over computed")},
     {"u", QT_TRANSLATE_NOOP("Symbol", "overlap: revolutions over a point in a stroke")},
     {"S_ф", QT_TRANSLATE_NOOP("Symbol", "limiting actual feed")},
@@ -151,8 +151,8 @@ constexpr Meaning meanings[] = {
     {"f_b", QT_TRANSLATE_NOOP("Symbol", "force that breaks its bond")},
     {"f_cr", QT_TRANSLATE_NOOP("Symbol", "critical force of one grain")},
     {"F",
-     QT_TRANSLATE_NOOP("Symbol", "force that the wheel bears, per width and root of the "
-                                 "depth"),
+     QT_TRANSLATE_NOOP("Symbol",
+                       "force that the wheel withstands, per width and root of the depth"),
      sharpeningName},
     {"F", QT_TRANSLATE_NOOP("Symbol", "tangential force that the drive allows, per width")},
 };
@@ -363,8 +363,7 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
         }
     }
     StepFormulas formulas(project, pass.place, citations, std::move(leftOut));
-    formulas.say(tr("The forces are those of the depth of cut that the elastic balance gives, "
-                    "further below."));
+    formulas.say(tr("The forces are those at the depth of cut of the elastic balance below."));
     for (const FormulaSheet& sheet : forces) {
         formulas.add(sheet);
     }

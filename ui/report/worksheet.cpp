@@ -254,9 +254,9 @@ private:
         heading(tr("The step to work out"));
         m_paper.add(WorkedStep::facts(outcome, *m_step, m_isKey));
         if (!m_isKey) {
-            m_paper.say(tr("Every formula stands in symbols, then with the numbers that are given. "
-                           "Write what is missing: a number that an equation computes is put in "
-                           "where it stands in the next ones."));
+            m_paper.say(tr("Every formula is printed in symbols, then with the given numbers. Fill "
+                           "in the missing ones: insert a computed number wherever it occurs in "
+                           "the next equations."));
         }
         m_paper.add(worked.blocks);
         if (!m_isKey) {

@@ -361,7 +361,7 @@ private slots:
         QVERIFY(!(model.flags(model.index(0, 4)) & Qt::ItemIsEditable));
     }
 
-    // The first stage takes what the later ones leave of the part's stock, whatever it states.
+    // The first stage takes the stock that the later ones leave of the part's stock, whatever it states.
     void theStockOfTheFirstStageIsWhatTheOthersLeave() {
         Bench bench;
         Project project = bench.document.project();

@@ -270,8 +270,7 @@ private slots:
                 }
                 QVERIFY(
                     std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
-                        return label->text()
-                               == QStringLiteral("Each surface has a name of its own.");
+                        return label->text() == QStringLiteral("Each surface needs its own name.");
                     }));
                 name->setText(QStringLiteral("  Cone <b>  "));
                 QVERIFY(accept->isEnabled());

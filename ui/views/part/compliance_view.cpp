@@ -198,8 +198,8 @@ QString ComplianceView::remark() const {
                    : QString();
     case ComplianceContent::gauge:
         if (project.gauge->control == Control::position) {
-            return tr("Stages end by the position of the wheel head: the gauge has no effect, "
-                      "wherever it is placed.");
+            return tr("Stages end by the position of the wheel head: the position of the gauge has "
+                      "no effect.");
         }
         return project.operation->travels ? tr("In traverse grinding the gauge is in the middle of "
                                                "%1. The curves show its effect in another zone.")
@@ -278,7 +278,7 @@ void ComplianceView::nameParts() {
     tell(*m_content, tr("Curves below the part"));
     m_put->setText(tr("Put the gauge there"));
     m_put->setAccessibleName(m_put->text());
-    m_put->setToolTip(tr("Make the best place the gauge's free position; can be undone"));
+    m_put->setToolTip(tr("Sets the gauge's free position to the best place; can be undone"));
 }
 
 QString ComplianceView::hint() const {

@@ -85,7 +85,7 @@ QString OverviewCharts::title(OverviewChart chart) {
     switch (chart) {
     case OverviewChart::times: return tr("Time by stage and step");
     case OverviewChart::stock: return tr("Removed by stage and step");
-    case OverviewChart::diameters: return tr("Make-up of the diameter deviations");
+    case OverviewChart::diameters: return tr("Components of the diameter deviations");
     case OverviewChart::requirements: return tr("Limits used up");
     case OverviewChart::boxes: return tr("Batch: mean diameters");
     case OverviewChart::parts: return tr("Batch: good and rejected parts");
@@ -123,9 +123,8 @@ std::vector<std::size_t> OverviewCharts::stagesShown(const Outcome& outcome) {
 
 QString OverviewCharts::stagesRemark(const Outcome& outcome) {
     const std::size_t all = outcome.result.timeByStage_s.size();
-    return all > mostStages
-               ? tr("%1 of %2 stages: those that take the longest.").arg(mostStages).arg(all)
-               : QString();
+    return all > mostStages ? tr("%1 of %2 stages: the longest ones.").arg(mostStages).arg(all)
+                            : QString();
 }
 
 BarChart OverviewCharts::times(const Outcome& outcome) {

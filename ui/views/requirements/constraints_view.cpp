@@ -412,7 +412,7 @@ void ConstraintsView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Actual feed under its limits"));
     m_off->setAccessibleName(tr("Requirements that are not checked"));
-    m_table->setAccessibleName(tr("Requirements by how much of their limit they use up"));
+    m_table->setAccessibleName(tr("Requirements by the used share of their limit"));
     m_sheet->setAccessibleName(tr("Origin of the value"));
     m_logarithmic->setText(tr("Logarithmic"));
     m_places->setText(tr("Every place"));

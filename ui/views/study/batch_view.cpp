@@ -57,7 +57,7 @@ PartTable::Dialect dialectOfParts(TableFormat format) {
 
 std::vector<std::string> headOfParts(const PartColumns& columns) {
     QStringList names{PartRows::tr("Part"), PartRows::tr("State"), PartRows::tr("Good"),
-                      PartRows::tr("Minimum margin, of its limit")};
+                      PartRows::tr("Minimum margin, relative to its limit")};
     for (const GivenFactor& factor : columns.factors) {
         names << BatchText::factorAxis(factor);
     }

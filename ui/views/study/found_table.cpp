@@ -48,14 +48,14 @@ ValueHead changeHead() {
 
 ValueHead marginHead() {
     return {.text = FoundTable::tr("Margin, %"),
-            .tip = FoundTable::tr("The minimum margin of all requirements, of its limit"),
+            .tip = FoundTable::tr("The minimum margin of all requirements, relative to its limit"),
             .key = "margin"};
 }
 
 void addWearHeads(std::vector<ValueHead>& heads) {
     heads.push_back(
         {.text = FoundTable::tr("Parts"),
-         .tip = FoundTable::tr("Parts from one dressing to the next that it is fit for"),
+         .tip = FoundTable::tr("Parts from one dressing to the next for which it is fit"),
          .key = "parts"});
     heads.push_back({.text = FoundTable::tr("Cost"),
                      .tip = FoundTable::tr("Cost of a part with its share of the dressing"),
@@ -74,7 +74,7 @@ std::vector<ValueHead> headsOf(const SearchOutcome& outcome, const TimeUnit& uni
          .key = "stages"},
         changeHead(),
         {.text = FoundTable::tr("Excess, %"),
-         .tip = FoundTable::tr("By how much a stepless cycle might at most be quicker"),
+         .tip = FoundTable::tr("Maximum time by which a stepless cycle might be quicker"),
          .key = "gap"},
         marginHead()};
     if (outcome.wear) {
@@ -384,7 +384,7 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
         const double nominal_s = outcome.robust->nominalTime_s;
         rows.push_back(
             {.key = "nominal",
-             .name = FoundTable::tr("Nominal part alone"),
+             .name = FoundTable::tr("Nominal part only"),
              .time_s = nominal_s,
              .basis = {.full = {FoundTable::tr("robustness costs %1 % of time")
                                     .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}}});

@@ -104,13 +104,13 @@ QString OptimiseText::methodHint(SearchMethod method) {
                   "large grid takes hours or days; for the minimum time and the maximum margin it "
                   "can be stopped and continued");
     case SearchMethod::published:
-        return tr("A heuristic for plunge grinding, as published: of all ways to a level of stock "
+        return tr("A heuristic for plunge grinding, as published: of all paths to a level of stock "
                   "with a feed only the quickest is kept. It is quick, but proves nothing and may "
-                  "find no cycle where there is one");
+                  "find no cycle although one exists");
     case SearchMethod::labels:
-        return tr("A heuristic for plunge grinding: all ways to a level of stock are kept that no "
+        return tr("A heuristic for plunge grinding: all paths to a level of stock are kept that no "
                   "other beats in both time and stored deflection. It takes longer with many "
-                  "levels, proves nothing and may find no cycle where there is one");
+                  "levels, proves nothing and may find no cycle although one exists");
     }
     return {};
 }

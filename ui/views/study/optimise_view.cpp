@@ -611,7 +611,7 @@ void OptimiseView::nameParts() {
     m_grid->setAccessibleName(tr("Grid of dynamic programming"));
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
-    m_answerTable->setAccessibleName(tr("The answer and what it is compared with"));
+    m_answerTable->setAccessibleName(tr("The answer and the compared cycles"));
     m_table->setAccessibleName(tr("The best cycles found"));
     fillChoice(*content(), {tr("Before and after"), tr("Time by stages"), tr("Margin by time"),
                             OptimiseText::method(SearchMethod::published)});

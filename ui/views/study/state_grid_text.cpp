@@ -195,7 +195,7 @@ QString StateGridText::wrong(const StateDifference& fault) {
 QString StateGridText::faults(const StateGrid& grid, const ExactAnswer& exact) {
     if (!exact.faults.empty()) {
         const StateDifference& first = exact.faults.front();
-        return tr("The rule goes wrong in %n state(s), first in %1: %2.", nullptr,
+        return tr("The rule fails in %n state(s), first in %1: %2.", nullptr,
                   static_cast<int>(exact.faults.size()))
             .arg(state(first.level, first.feed), wrong(first));
     }

@@ -430,8 +430,8 @@ QString SweepView::remark() const {
         return m_phaseBar->remark();
     }
     if (!good()->result.project.sweep) {
-        return tr("What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input "
-                  "above, and see every result over a range of it: one input gives curves, two "
+        return tr("What is the effect of a dull wheel, a soft tailstock, a longer dwell? Choose an "
+                  "input above to see every result over its range: one input gives curves, two "
                   "give a map. Or start with the wheel's dullness.");
     }
     if (!m_refused.empty()) {

@@ -199,7 +199,7 @@ void AddSurfaceDialog::follow() {
     m_drawing->setChosenStep(step());
     const bool isFree = m_isFree(m_name->text());
     m_buttons->acceptButton()->setEnabled(isFree);
-    m_name->setToolTip(isFree ? QString() : tr("Each surface has a name of its own."));
+    m_name->setToolTip(isFree ? QString() : tr("Each surface needs its own name."));
 }
 
 bool AddSurfaceDialog::isCopy() const {

@@ -95,7 +95,7 @@ BatchWait::BatchWait(const Project& project, const QString& what, QWidget* paren
     m_progress->setAccessibleName(tr("Progress of the batch"));
     m_progress->setMinimumWidth(waitWidth);
     m_stop->setObjectName(QStringLiteral("stopWaiting"));
-    m_stop->setToolTip(tr("Stop the batch; no report is made"));
+    m_stop->setToolTip(tr("Stop the batch; no report is written"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_text);
     column->addWidget(m_progress);
