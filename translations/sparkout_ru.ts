@@ -2224,7 +2224,7 @@
             <translation>ходы в состояние (× вычеркнут)</translation>
         </message>
         <message>
-            <source>m: radial feed, mm/dbl stroke
+            <source>m: radial feed, mm/double stroke
 axial feed, mm/min</source>
             <translation>m: радиальная подача, мм/дв. ход
 продольная подача, мм/мин</translation>
@@ -2777,7 +2777,7 @@ axial feed, mm/min</source>
             <translation>Радиальная подача, мм/мин</translation>
         </message>
         <message>
-            <source>Radial feed, mm/dbl stroke</source>
+            <source>Radial feed, mm/double stroke</source>
             <translation>Подача радиальная, мм/дв. ход</translation>
         </message>
         <message>
@@ -5940,7 +5940,7 @@ With another name both versions stay as they are.</source>
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>Zone or section where it was measured, counted from 0 from the headstock.</source>
+            <source>Zone or section where it was measured, counted from 0 at the headstock.</source>
             <translation>Место измерения: зона или сечение, счёт с 0 от передней бабки.</translation>
         </message>
         <message>
@@ -11385,7 +11385,7 @@ With another name both versions stay as they are.</source>
             <translation>мм^1,5</translation>
         </message>
         <message>
-            <source>mm/dbl stroke</source>
+            <source>mm/double stroke</source>
             <translation>мм/дв. ход</translation>
         </message>
         <message>

@@ -127,7 +127,7 @@ const StructInfo& tableOf<MeasuredPart>() {
             .hard = {0, 199},
             .hint = SPARKOUT_NOOP(
                 "Input",
-                "Zone or section where it was measured, counted from 0 from the headstock.")),
+                "Zone or section where it was measured, counted from 0 at the headstock.")),
         SPARKOUT_FIELD(
             MeasuredPart, diameters_mm, .label = SPARKOUT_NOOP("Input", "Measured diameters"),
             .unit = "mm", .hard = {0.1, 3000}, .sparse = true,
@@ -228,7 +228,7 @@ const StructInfo& tableOf<MeasuredSummary>() {
             .hard = {0, 199},
             .hint = SPARKOUT_NOOP(
                 "Input",
-                "Zone or section where it was measured, counted from 0 from the headstock.")),
+                "Zone or section where it was measured, counted from 0 at the headstock.")),
         SPARKOUT_FIELD(MeasuredSummary, count, .label = SPARKOUT_NOOP("Input", "Number of parts"),
                        .hard = {2, 1'000'000}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Number of parts that were measured.")),

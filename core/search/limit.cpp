@@ -320,7 +320,7 @@ public:
         }
         const std::size_t all = before + last;
         if (last > 0 && before == passes.size()) {
-            --before; // the pass that may take all the rest is one of those together
+            --before; // the pass that may remove the whole rest counts among the last ones together
         }
         for (std::size_t n = 0; n < before; ++n) {
             pieces.add(m_left_mm + passes[n].from_mm, m_left_mm + passes[n].to_mm, passes[n].cut,

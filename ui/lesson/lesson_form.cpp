@@ -127,7 +127,7 @@ void LessonForm::addGoal(QFormLayout& form, const Subject& subject) {
             const Field& field = kinds[static_cast<std::size_t>(index)];
             goal = Goal();
             field.object(&goal, true);
-            if (goal.asked() && figure) { // the same one, in another way
+            if (goal.asked() && figure) { // keeps the figure for the new kind of goal
                 const_cast<Figure&>(*goal.asked()) = *figure;
             }
             addNeeded(*field.nested, field.object(&goal, false));
