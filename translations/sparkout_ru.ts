@@ -7040,7 +7040,7 @@ With another name both versions stay as they are.</source>
             <translation>Неопределённость измерения формы</translation>
         </message>
         <message>
-            <source>as of the size</source>
+            <source>as for the size</source>
             <translation>как у размера</translation>
         </message>
         <message>
@@ -7052,7 +7052,7 @@ With another name both versions stay as they are.</source>
             <translation>Предел смещения формы</translation>
         </message>
         <message>
-            <source>as of the size, otherwise a tenth of the tolerance</source>
+            <source>as for the size, otherwise a tenth of the tolerance</source>
             <translation>как у размера, иначе десятая доля допуска</translation>
         </message>
         <message>
@@ -12871,7 +12871,7 @@ With another name both versions stay as they are.</source>
             <translation>B − A = %1</translation>
         </message>
         <message>
-            <source>Difference of the places</source>
+            <source>Distance of the cursors</source>
             <translation>Разность положений</translation>
         </message>
     </context>

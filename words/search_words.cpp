@@ -420,7 +420,7 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
             {taken, size}));
     }
     if (!outcome.proved() && outcome.interval->bound) {
-        lines.push_back(isCost ? filled("No part of the grid costs less than %1.",
+        lines.push_back(isCost ? filled("No cycle of the grid has a lower cost of a part than %1.",
                                         {cost(*outcome.interval->bound)})
                                : filled("No cycle of the grid is fit for more than %1 parts.",
                                         {fixed(*outcome.interval->bound, 0)}));

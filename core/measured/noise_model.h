@@ -75,7 +75,7 @@ struct TraceNoise {
     [[nodiscard]] double variance() const { return white + following; }
     /// The correlated share of the variance.
     [[nodiscard]] double share() const { return variance() > 0 ? following / variance() : 0; }
-    /// The variance of the mean of so many successive values.
+    /// The variance of the mean of this many successive values.
     [[nodiscard]] double varianceOfMean(std::size_t count) const;
 };
 

@@ -426,7 +426,7 @@ const StructInfo& tableOf<Batch>() {
         SPARKOUT_FIELD(Batch, form_measuring_uncertainty_um,
                        .label = SPARKOUT_NOOP("Input", "Measuring uncertainty of form"),
                        .symbol = "u_f", .unit = "µm", .hard = {0, 1000}, .soft = {0, 5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "as of the size"), .sparse = true,
+                       .nullMeaning = SPARKOUT_NOOP("Input", "as for the size"), .sparse = true,
                        .page = Page::batch,
                        .hint =
                            SPARKOUT_NOOP("Input", "Standard uncertainty of one measured roundness, "
@@ -436,7 +436,7 @@ const StructInfo& tableOf<Batch>() {
             Batch, form_bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias of form"),
             .unit = "µm", .hard = {1e-3, 1e5},
             .nullMeaning =
-                SPARKOUT_NOOP("Input", "as of the size, otherwise a tenth of the tolerance"),
+                SPARKOUT_NOOP("Input", "as for the size, otherwise a tenth of the tolerance"),
             .sparse = true, .page = Page::batch,
             .hint =
                 SPARKOUT_NOOP("Input", "Up to this difference the means of measured and predicted "

@@ -299,8 +299,8 @@ public:
         }
     }
 
-    /// Empty if it cannot be lost in so many passes. Adds the bound of each pass with its time; the
-    /// last ones that count together are one piece.
+    /// Empty if it cannot be lost in this many passes. Adds the bound of each pass with its time;
+    /// the last ones that count together are one piece.
     [[nodiscard]] std::optional<int> count(const std::stop_token& stop, double pass_s,
                                            Pieces& pieces, int& together) const {
         const std::vector<Pass> passes = allPasses(stop);

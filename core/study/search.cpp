@@ -396,7 +396,7 @@ private:
             Project project = m_now.searched;
             project.optimisation->stages = {each};
             if (m_stop.stop_requested() || Variants(project, m_stop).fault() != GridFault::none) {
-                continue; // otherwise the stock cannot be divided into so many stages
+                continue; // otherwise the stock cannot be divided into this many stages
             }
             SearchOptions options = optionsFor(stages);
             if (options.method == SearchMethod::full) {
