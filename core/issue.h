@@ -71,7 +71,7 @@ enum class IssueCode {
     sourceMissing, ///< in catalogues
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
-    severalFit,    ///< a part of several names of the catalogue
+    severalFit,    ///< matches several names of the catalogue
     otherMachines, ///< machines of the catalogue that take a part
     noLaw,         ///< of a factor of a batch
     notAProject,   ///< a text that does not even begin as one
