@@ -51,8 +51,8 @@ std::optional<StartingDrawing> drawingIn(const manual::Given& given, int& status
     auto drawing = drawingOf(*designation);
     if (!drawing) {
         print(stderr, printable(given.operands.front())
-                          + ": no such field is known; allowed: nominal sizes up to 500 mm, grades "
-                            "IT4…IT14, deviations d…p and D…P of ISO 286\n");
+                          + ": this tolerance field is not known; allowed: nominal sizes up to 500 "
+                            "mm, grades IT4…IT14, deviations d…p and D…P of ISO 286\n");
         status = refused;
         return std::nullopt;
     }

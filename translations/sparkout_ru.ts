@@ -5636,7 +5636,7 @@ With another name both versions stay as they are.</source>
             <translation>Выхаживание в конце</translation>
         </message>
         <message>
-            <source>Double strokes or revolutions of one more stage without feed that removes the last stock: a list, or from, to and step; 0: no such stage.</source>
+            <source>Double strokes or revolutions of one more stage without feed that removes the last stock: a list, or from, to and step; 0: without this stage.</source>
             <translation>Двойные ходы или обороты ещё одной ступени без подачи, снимающей последний припуск: список либо «от», «до» и шаг; 0 — без неё.</translation>
         </message>
         <message>
@@ -8228,7 +8228,7 @@ With another name both versions stay as they are.</source>
             <translation>допускаются и меньшие.</translation>
         </message>
         <message>
-            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
+            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is for parts between dressings.</source>
             <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
@@ -9856,7 +9856,7 @@ With another name both versions stay as they are.</source>
             <translation>Прописные буквы — для отверстий, а эта поверхность — вал.</translation>
         </message>
         <message>
-            <source>ISO 286 has no such class here: sizes to 500 mm, grades 4 to 14, letters d to p.</source>
+            <source>ISO 286 does not have this class here: sizes to 500 mm, grades 4 to 14, letters d to p.</source>
             <translation>Такого поля здесь нет: по ISO 286 размеры до 500 мм, квалитеты 4–14, буквы от d до p.</translation>
         </message>
         <message>

@@ -712,9 +712,9 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
 
 std::string SearchWording::front(const SearchOutcome& outcome) const {
     if (outcome.wear) {
-        return translated(SPARKOUT_NOOP(
-            "Search", "Margins by time are searched for the minimum time, or for the maximum "
-                      "margin; this search is of parts between dressings."));
+        return translated(
+            SPARKOUT_NOOP("Search", "Margins by time are searched for the minimum time, or for the "
+                                    "maximum margin; this search is for parts between dressings."));
     }
     if (outcome.isFrontComing) {
         return translated(SPARKOUT_NOOP("Search", "The search for margins by time continues."));

@@ -51,7 +51,7 @@ struct ColumnMatch {
 void settleMatches(std::vector<ColumnMatch>& matches);
 
 /// The factor that converts a value in the unit to the unit of the project's section `measured`; 1
-/// without a unit. Empty if the quantity has no such unit.
+/// without a unit. Empty if the quantity does not have this unit.
 [[nodiscard]] std::optional<double> factorOf(ColumnQuantity quantity, ColumnUnit unit);
 
 /// Whether its values are numbers.

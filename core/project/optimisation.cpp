@@ -73,8 +73,9 @@ Field unfedSteps() {
             .whole = true,
             .page = Page::search,
             .hint = SPARKOUT_NOOP(
-                "Input", "Double strokes or revolutions of one more stage without feed that "
-                         "removes the last stock: a list, or from, to and step; 0: no such stage."),
+                "Input",
+                "Double strokes or revolutions of one more stage without feed that removes the "
+                "last stock: a list, or from, to and step; 0: without this stage."),
             .source = "MODEL-7"});
 }
 

@@ -86,7 +86,7 @@ struct RunValue {
 struct ComparedRow {
     std::string path;
     bool isResult = false;
-    std::vector<std::optional<RunValue>> runs; ///< by run; empty: the run has no such value
+    std::vector<std::optional<RunValue>> runs; ///< by run; empty: the run does not have this value
 };
 
 /// Digits to which a result is stated: decimals, or significant digits where decimals are below 0.

@@ -151,7 +151,7 @@ void ParameterChoice::addRow(QGridLayout& grid, const Project& project,
 
 void ParameterChoice::propose(const FitData& measured) {
     const bool isOfSources =
-        std::ranges::any_of(m_rows, [](const Row& row) { // otherwise it has no such row
+        std::ranges::any_of(m_rows, [](const Row& row) { // otherwise the row does not exist
             return row.parameter.kind == FittedKind::dullness;
         });
     const std::vector<FittedKind> kinds = proposedParameters(measured, !isOfSources);
