@@ -6704,7 +6704,7 @@ With another name both versions stay as they are.</source>
             <translation>В каких местах сравнивается кривая: двойные ходы, обороты и ступени от 1, сечения от 0, зоны как 0, 1, 2.</translation>
         </message>
         <message>
-            <source>Share within it</source>
+            <source>Share within the tolerance</source>
             <translation>Доля мест в допуске</translation>
         </message>
         <message>

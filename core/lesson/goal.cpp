@@ -168,12 +168,12 @@ const StructInfo& tableOf<CurvePrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(CurvePrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
         SPARKOUT_FIELD(CurvePrediction, along, .label = SPARKOUT_NOOP("Input", "Along")),
-        SPARKOUT_FIELD(
-            CurvePrediction, at, .label = SPARKOUT_NOOP("Input", "At"), .hard = {0, 10000000},
-            .required = conditions::always, .whole = true,
-            .hint = SPARKOUT_NOOP(
-                "Input", "Places where the drawn curve is compared: double strokes, revolutions "
-                         "and stages from 1, sections from 0, zones as 0, 1, 2.")),
+        SPARKOUT_FIELD(CurvePrediction, at, .label = SPARKOUT_NOOP("Input", "At"),
+                       .hard = {0, 10000000}, .required = conditions::always, .whole = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input",
+                           "Places where the drawn curve is compared: double strokes, revolutions "
+                           "and stages from 1, sections from 0, zones as 0, 1, 2.")),
         SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
@@ -184,7 +184,7 @@ const StructInfo& tableOf<CurvePrediction>() {
                 "Input",
                 "Relative to the engine's value. The larger of the two tolerances applies.")),
         SPARKOUT_FIELD(CurvePrediction, least_share_percent,
-                       .label = SPARKOUT_NOOP("Input", "Share within it"), .unit = "%",
+                       .label = SPARKOUT_NOOP("Input", "Share within the tolerance"), .unit = "%",
                        .hard = {1, 100},
                        .hint = SPARKOUT_NOOP("Input", "Share of the places where it is compared.")),
     };

@@ -252,7 +252,7 @@ public:
         const bool each = m_count <= fewValues || (m_setting.isCount() && m_last < fewValues);
         return each ? m_last + 1 : std::min(std::max(m_last + m_last / 2, m_last + 1), m_count);
     }
-    /// Continues behind this one.
+    /// Continues after this one.
     void pass(std::int64_t k) { m_last = std::max(m_last, k); }
     void end() { m_last = m_count; }
     [[nodiscard]] std::int64_t last() const { return m_last; }
