@@ -21195,7 +21195,7 @@ s</source>
             <translation>Наибольшая фактическая подача без прижога при оставшемся припуске</translation>
         </message>
         <message>
-            <source>Parts of the batch that are not good</source>
+            <source>Rejected parts of the batch</source>
             <translation>Доля негодных деталей партии</translation>
         </message>
         <message>

@@ -252,7 +252,7 @@ constexpr std::array<FigureRow, figureCount> figureRows{{
      FigureScope::step,
      false},
     {FigureName::batchBad,
-     {"batch_bad_percent", SPARKOUT_NOOP("Figure", "Parts of the batch that are not good")},
+     {"batch_bad_percent", SPARKOUT_NOOP("Figure", "Rejected parts of the batch")},
      "%",
      1,
      FigureScope::batch,
