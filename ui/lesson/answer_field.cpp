@@ -518,7 +518,7 @@ void NumberAnswer::retranslate() {
     m_field->retranslate();
     m_unit->setText(GoalText::unit(m_goal.figure));
     m_resultLabel->setText(tr("Result of the run"));
-    m_result->setText(m_value ? GoalText::value(*m_value, m_goal.figure) : QString());
+    m_result->setText(m_value ? GoalText::value(m_goal.figure, *m_value) : QString());
 }
 
 } // namespace
