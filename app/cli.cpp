@@ -14,7 +14,7 @@
 #include "core/file/project_file.h"
 #include "core/file/safe_file.h"
 #include "core/printable.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/setup/setup_run.h"
 #include "core/simulation/simulate.h"
 #include "core/study/whole_batch.h"
@@ -165,7 +165,7 @@ int runSimulate(const manual::Given& given) {
                                 });
 }
 
-/// The present content of an example's file.
+/// The current content of an example's file.
 enum class Standing { nothing, sameExample, another };
 
 Standing standingAt(const std::string& file, const std::string& example) {

@@ -76,7 +76,7 @@ std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary
                + fixed(verdict.value, decimalsBeside(verdict.limit, verdict.value, 2)) + ", below "
                + limit;
     case BatchReason::allHold:
-        return of.empty() ? "fit: all parts are good, and none of their sizes scatters to speak of"
+        return of.empty() ? "fit: all parts are good, and their sizes hardly scatter"
                           : "fit: all parts are good, and the least lower 95 % bound of Ppk, of "
                                 + of + ", is " + fixed(verdict.value, 2) + ", at least " + limit;
     }
@@ -123,7 +123,7 @@ std::string strippedText(const BatchSummary& summary) {
     return summary.stripped == 0
                ? std::string()
                : std::to_string(summary.stripped) + " of " + std::to_string(summary.parts)
-                     + " parts have no size, form and Ra: strips uncut; no Ppk is told of them\n";
+                     + " parts have no size, form and Ra: strips uncut; they have no Ppk\n";
 }
 
 /// "; 7 of 50 parts have none: strips uncut"; empty if all parts have the value.
@@ -176,7 +176,7 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
     std::string text =
         std::to_string(summary.parts) + " of " + std::to_string(result.batchParts) + " parts, "
         + batchStatusKey(result.status) + "\nverdict "
-        + verdictText(weigh(summary, result), summary) + "\nnot good " + shareText(summary.bad)
+        + verdictText(weigh(summary, result), summary) + "\nrejected  " + shareText(summary.bad)
         + "; did not reach size " + std::to_string(summary.failed) + "\n" + strippedText(summary)
         + "worst part " + std::to_string(summary.worstPart + 1)
         + factorsText(result, summary.worstPart) + '\n' + notCountedText(result.project);
@@ -254,7 +254,7 @@ std::string stateSentence(StateFault fault) {
                + " levels";
     case StateFault::otherVersion: return "a shard of another version of Sparkout; run it again";
     case StateFault::changed: return "changed since it was written (its checksum does not fit)";
-    case StateFault::impossible: return "holds numbers that no batch gives";
+    case StateFault::impossible: return "contains numbers that no batch produces";
     }
     return {};
 }

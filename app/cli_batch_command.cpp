@@ -116,7 +116,7 @@ std::int64_t partsToRun(const ScenarioSource& source, const manual::Given& given
 bool failed(const PartRowsFile& rows) {
     if (const auto& error = rows.error()) {
         print(stderr, error->systemError == EEXIST
-                          ? printable(error->path) + ": there already; --force replaces it\n"
+                          ? printable(error->path) + ": exists; --force replaces it\n"
                           : describe(*error));
     }
     return rows.error().has_value();
@@ -182,7 +182,7 @@ int runBatchCommand(const manual::Given& given) {
     }
     if (given.has("--shard")
         && (given.has("--until-width") || given.has("--sensitivity") || given.has("--check"))) {
-        return usageError("a shard knows too little for --until-width, --sensitivity or --check");
+        return usageError("--shard excludes --until-width, --sensitivity and --check");
     }
     if (given.has("--rows")
         && (replacesProject(given.text("--rows"), given.operands.front())

@@ -64,7 +64,7 @@ std::optional<std::string> refusal(const DressingInterval& interval) {
     switch (interval.fault) {
     case DressingFault::none: return std::nullopt;
     case DressingFault::noWear:
-        return "/wear: not given; a dulling or a grinding ratio says how the wheel wears";
+        return "/wear: not given; a dulling or a grinding ratio determines the wear of the wheel";
     case DressingFault::firstFails: return "the first part after dressing does not reach size";
     }
     return std::nullopt;

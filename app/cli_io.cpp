@@ -61,7 +61,7 @@ bool Surfaces::isWhole() const {
 int Surfaces::oneFor(std::initializer_list<const char*> options) const {
     for (const char* option : options) {
         if (isWhole() && m_given.has(option)) {
-            return usageError(std::string(option) + " needs one surface: name it by --surface");
+            return usageError(std::string(option) + " needs one surface: name it with --surface");
         }
     }
     return done;

@@ -107,7 +107,7 @@ std::optional<E> choiceOf(const manual::Given& given, std::string_view option) {
 /// The surfaces of a file that a command applies to: `--surface NAME|N|all`.
 class Surfaces {
 public:
-    /// Reads the file; reports its faults, or that it has no such surface.
+    /// Reads the file; reports its faults, or that it does not have this surface.
     explicit Surfaces(const manual::Given& given, BatchFaults faults = BatchFaults::warnings);
 
     [[nodiscard]] int status() const { return m_status; } ///< `done` if surfaces were chosen

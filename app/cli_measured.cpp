@@ -127,7 +127,7 @@ std::string fitText(const Project& project, const Identification& found,
         text += overRangeText(group);
         if (group.lack.isLacking()) {
             text += std::string("does not fit: ") + wordsOf(group.source).text + ": "
-                    + fixed(group.lack.ratio, 1) + " times what the noise leaves, at most "
+                    + fixed(group.lack.ratio, 1) + " times the noise, at most "
                     + fixed(group.lack.most, 1) + " by chance: " + wordsOf(group.unlike.kind).text
                     + (group.unlike.stage >= 0
                            ? " (stage " + std::to_string(group.unlike.stage + 1) + ")"
@@ -139,7 +139,7 @@ std::string fitText(const Project& project, const Identification& found,
         const ForceLawChoice& law = *found.forceLaw;
         text += std::string("force law: ") + wordsOf(law.supported).text + " ("
                 + std::to_string(law.revolutions)
-                + " revolutions; AIC of the sources' law less that with a threshold "
+                + " revolutions; AIC of the sources' law minus that with a threshold "
                 + fixed(law.aicDifference, 1) + "; RMS of the residuals "
                 + fixed(law.sourcesRms_um, 3) + " and " + fixed(law.thresholdRms_um, 3) + " µm)"
                 + (law.revolutionsMore
@@ -164,7 +164,7 @@ std::string fitText(const Project& project, const Identification& found,
         for (const std::size_t i : one.parameters) {
             names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
         }
-        text += (one.isProduct ? "told only as a product: " : "cannot be told: ") + names + "; "
+        text += (one.isProduct ? "determined only as a product: " : "undetermined: ") + names + "; "
                 + wordsOf(one.advice).text + '\n';
     }
     return text;
@@ -279,7 +279,7 @@ int measureOne(Project project, const Surfaces& surfaces, std::size_t surface,
     if (given.has("-o")) {
         if (answer.fit->status != IdentificationStatus::fitted) {
             print(stderr,
-                  printable(given.text("-o")) + ": not saved, for there are no values to use\n");
+                  printable(given.text("-o")) + ": not saved, since there are no usable values\n");
         } else if (const int failed =
                        saveFound(project, *answer.fit, surfaces.setup(), surface, given)) {
             return failed;

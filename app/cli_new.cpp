@@ -51,8 +51,8 @@ std::optional<StartingDrawing> drawingIn(const manual::Given& given, int& status
     auto drawing = drawingOf(*designation);
     if (!drawing) {
         print(stderr, printable(given.operands.front())
-                          + ": no such field is known; allowed: nominal sizes up to 500 mm, grades "
-                            "IT4…IT14, deviations d…p and D…P of ISO 286\n");
+                          + ": this tolerance field is not known; allowed: nominal sizes up to 500 "
+                            "mm, grades IT4…IT14, deviations d…p and D…P of ISO 286\n");
         status = refused;
         return std::nullopt;
     }
@@ -159,7 +159,7 @@ std::string startText(const StartingCycle& start) {
         text += labelled("stage " + std::to_string(i + 1),
                          stageText(project, stages[i], result.timeByStage_s[i]));
     }
-    text += labelled("rough depth bound by", roughText(start))
+    text += labelled("rough depth limited by", roughText(start))
             + labelled("machining time", SearchWording().time(result.time_s));
     return text + labelled("cycle", stocksText(decidePhases(project, usualPhases(project))));
 }
@@ -182,7 +182,7 @@ int runNewCommand(const manual::Given& given) {
     }
     std::error_code ignored;
     if (!given.has("--force") && std::filesystem::exists(pathFromUtf8(given.text("-o")), ignored)) {
-        print(stderr, printable(given.text("-o")) + ": is there; --force replaces it\n");
+        print(stderr, printable(given.text("-o")) + ": exists; --force replaces it\n");
         return refused;
     }
     const StartingAnswer answer = drawnProject(*drawing, *entries);

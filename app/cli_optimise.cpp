@@ -98,10 +98,10 @@ std::string machineLines(const SearchOutcome& outcome) {
 std::string givenLines(const GivenCycle& given) {
     std::string names;
     for (const ConstraintKind kind : given.fails) {
-        names += (names.empty() ? "The file's cycle breaks: " : ", ")
+        names += (names.empty() ? "The file's cycle does not meet: " : ", ")
                  + std::string(requirementOf(kind).key);
     }
-    return given.isStopped ? "The result of the file's cycle is not known: stopped before.\n"
+    return given.isStopped ? "The file's cycle was not run: the search was stopped first.\n"
            : !given.time_s ? "The file's cycle does not end by itself.\n"
            : names.empty() ? ""
                            : names + ".\n";
@@ -188,8 +188,8 @@ int openKept(KeptSearch& kept, const std::string& file) {
 void closeKept(KeptSearch& kept, const std::string& file) {
     if (kept.journal().hasRefused()) {
         print(stderr, printable(file)
-                          + ": a cycle in it is not of this search, or does not take the time "
-                            "that stands there; that search was made anew\n");
+                          + ": a cycle in it does not belong to this search or does not take the "
+                            "stated time; the search was started again\n");
     }
     kept.close();
 }
@@ -210,7 +210,8 @@ int optimise(Project project, std::size_t surface, const std::string& name,
     const std::vector<int> stages = given.integers("--stages");
     SearchWish wish = wishOf(given);
     if (!resume.empty() && !isResumable(project, wish.method)) {
-        return usageError("--resume is for the objective \"time\": the others are many searches");
+        return usageError(
+            "--resume needs the objective \"time\": the others take several searches");
     }
     std::optional<KeptSearch> kept;
     if (!resume.empty()) {

@@ -83,8 +83,8 @@ std::string phasesText(const Project& project, const PhaseDecision& decision) {
 int decideOne(const Project& project, const std::string& name, const manual::Given& given) {
     if (!canDecidePhases(project)) {
         print(stderr, printable(name)
-                          + ": /gauge/control: the phases of the stock are decided under gauge "
-                            "control alone\n");
+                          + ": /gauge/control: the phases of the stock are decided only under "
+                            "gauge control\n");
         return refused;
     }
     StockRange range = usualPhases(project);

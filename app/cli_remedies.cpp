@@ -4,8 +4,8 @@
 #include "app/batch_watch.h"
 #include "app/cli_io.h"
 #include "app/stop_signals.h"
-#include "core/quality/light.h"
 #include "core/quality/result_names.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/simulate.h"
 #include "core/study/remedies.h"
 #include "words/remedy_words.h"
@@ -22,7 +22,7 @@ namespace {
 std::string stateText(const SimulationResult& result, const RemedyResult& found,
                       const std::vector<ConstraintResult>& constraints) {
     if (found.goal == RemedyGoal::none) {
-        return "all requirements are met, with room\n";
+        return "all requirements are met with a sufficient margin\n";
     }
     if (result.status != RunStatus::completed) {
         return "the cycle does not end by itself\n";

@@ -8,10 +8,10 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
-#include "core/quality/light.h"
 #include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 #include "words/issue_words.h"
 #include "words/search_words.h"
@@ -119,7 +119,7 @@ std::string shopText(const ShopNumbers& shop, bool revolutions) {
     for (const Output<ShopNumbers>& row : shopOutputs()) {
         if (!row.detail) {
             text += label(nameOf(row)) + valueText(row.of(shop))
-                    + (row.bandOf(shop) == BandSide::above ? ", near a whole number: WAVINESS" : "")
+                    + (row.bandOf(shop) == BandSide::above ? ", near a whole number: waviness" : "")
                     + '\n';
         }
     }

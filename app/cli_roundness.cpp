@@ -50,7 +50,7 @@ std::string deviationText(const char* circle, const std::optional<RoundnessZone>
 
 std::string readingsText(const std::string& where, const std::vector<double>& radii_mm) {
     std::string text =
-        where + ": RONt in µm, " + std::to_string(radii_mm.size()) + " radii, which tell up to "
+        where + ": RONt in µm, " + std::to_string(radii_mm.size()) + " radii, which resolve up to "
         + std::to_string(resolvedUndulations(radii_mm.size())) + " undulations per revolution\n";
     for (const RoundnessReading& reading : roundnessReadings(radii_mm)) {
         text += reading.cutoff_upr

@@ -64,7 +64,7 @@ std::string trialText(const Project& project, const Trial& trial, std::size_t ra
                 + fixed(expected.high, intervalDecimals) + (unit.empty() ? "" : " " + unit) + '\n';
     }
     for (const FittedParameter& parameter : trial.cannotTell) {
-        text += "     " + parameterName(parameter) + ": cannot be told\n";
+        text += "     " + parameterName(parameter) + ": undetermined\n";
     }
     return text;
 }

@@ -38,7 +38,7 @@ int runCourseVariants(const manual::Given& given);
 [[nodiscard]] int runOptimise(const manual::Given& given);
 /// Decides for which stocks the cycle of each surface is fit.
 [[nodiscard]] int runPhasesCommand(const manual::Given& given);
-/// Which change of one setting makes an unfit cycle fit.
+/// Finds changes of one setting that make an unfit cycle fit.
 [[nodiscard]] int runRemediesCommand(const manual::Given& given);
 [[nodiscard]] int runSweepCommand(const manual::Given& given);
 

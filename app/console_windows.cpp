@@ -35,7 +35,7 @@ void useConsoleOfCaller() {
 
 std::vector<std::string> argumentsOf(int /*argc*/, char** /*argv*/) {
     std::vector<std::string> words;
-    int count = 0; // those of main() have the letters of one language only
+    int count = 0; // the arguments of main() have only the letters of one language
     if (wchar_t** const given = ::CommandLineToArgvW(::GetCommandLineW(), &count)) {
         for (int i = 1; i < count; ++i) {
             words.push_back(utf8(std::filesystem::path(given[i])));

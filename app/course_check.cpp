@@ -7,6 +7,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/work.h"
 #include "core/printable.h"
+#include "words/goal_words.h"
 #include "words/lesson_words.h"
 
 #include <nlohmann/json.hpp>
@@ -26,7 +27,8 @@ void printSteps(const CheckedSteps& checked, const std::optional<std::string>& j
     for (std::size_t i = 0; i < checked.steps.size(); ++i) {
         const Goal& goal = checked.lesson.steps[i].goal;
         text += "step " + std::to_string(i + 1) + "  " + goalKey(goal.kind()) + "  "
-                + goalSentence(goal, checked.steps[i]) + '\n';
+                + GoalWording().found(goal, checked.steps[i], projectOf(checked.lesson, i), true)
+                + '\n';
     }
     print(stdout, json.value_or(text));
 }

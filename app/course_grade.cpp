@@ -14,6 +14,7 @@
 #include "core/project/validate.h"
 #include "core/version.h"
 #include "core/workbook/workbook.h"
+#include "words/goal_words.h"
 #include "words/lesson_words.h"
 
 #include <nlohmann/json.hpp>
@@ -79,6 +80,10 @@ xlsx::Sheet sheetOf(GradeTable given, const char* name) {
     return sheet;
 }
 
+std::string resultOf(const Lesson& lesson, std::size_t step, const GoalResult& result) {
+    return GoalWording().found(lesson.steps[step].goal, result, projectOf(lesson, step), true);
+}
+
 /// The results of each step, as they are printed.
 GradeTable stepTable(const Lesson& lesson, const std::vector<GradedWork>& works) {
     constexpr int points = GradeColumn::asGiven;
@@ -93,7 +98,7 @@ GradeTable stepTable(const Lesson& lesson, const std::vector<GradedWork>& works)
         for (std::size_t i = 0; i < work.steps.size(); ++i) {
             const GradedStep& step = work.steps[i];
             table.rows.push_back({work.file, work.name, static_cast<int>(i) + 1, step.points,
-                                  step.most, goalSentence(lesson.steps[i].goal, step.result)});
+                                  step.most, resultOf(lesson, i, step.result)});
         }
     }
     return table;
@@ -166,7 +171,7 @@ bool readWish(const manual::Given& given, GradeWish& wish) {
     ReadBestTable table = readBestTable(*content);
     if (table.faultLine > 0) {
         print(stderr, printable(given.text("--answers")) + ':' + std::to_string(table.faultLine)
-                          + ": this is no line of a table of best answers\n");
+                          + ": this is not a line of a table of best answers\n");
         return false;
     }
     wish.best = std::move(table.rows);
@@ -252,15 +257,14 @@ std::string gradesText(const Lesson& lesson, const std::vector<GradedWork>& work
         for (std::size_t i = 0; i < work.steps.size(); ++i) {
             const GradedStep& step = work.steps[i];
             text += "  step " + std::to_string(i + 1) + "  " + numberText(step.points) + "/"
-                    + numberText(step.most) + "  " + goalSentence(lesson.steps[i].goal, step.result)
-                    + '\n';
+                    + numberText(step.most) + "  " + resultOf(lesson, i, step.result) + '\n';
         }
     }
     return text;
 }
 
 int sayThere(const std::string& file) {
-    print(stderr, printable(file) + ": there already; --force replaces it\n");
+    print(stderr, printable(file) + ": exists; --force replaces it\n");
     return refused;
 }
 

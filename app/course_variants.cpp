@@ -64,7 +64,7 @@ int writeAll(const std::vector<OutputFile>& files, const manual::Given& given) {
     bool stands = false;
     for (const OutputFile& file : files) {
         if (!given.has("--force") && std::filesystem::exists(pathFromUtf8(file.path), error)) {
-            print(stderr, printable(file.path) + ": is there already and is kept\n");
+            print(stderr, printable(file.path) + ": exists and is kept\n");
             stands = true;
         }
     }

@@ -76,11 +76,10 @@ void DisplayStart::crash(int /*signal*/) {
 
 /// Exits without destructors, since the application is only partly constructed.
 void DisplayStart::end(const QString& reason) {
-    say(stderr,
-        QStringLiteral("sparkout: the display cannot be used: %1 (%2, %3). Use sparkout-cli, "
-                       "sparkout --picture or sparkout --report.")
-            .arg(printableText(reason.simplified()), variable("DISPLAY"),
-                 variable("QT_QPA_PLATFORM")));
+    say(stderr, QStringLiteral("sparkout: the display cannot be used: %1 (%2, %3). Use "
+                               "sparkout-cli, sparkout --picture or sparkout --report.")
+                    .arg(printableText(reason.simplified()), variable("DISPLAY"),
+                         variable("QT_QPA_PLATFORM")));
     std::fflush(nullptr);
     ::_exit(exitUsage);
 }

@@ -94,7 +94,7 @@ QString outputFault(const Options& options) {
     }
     const QString target = QFileInfo(output).canonicalFilePath();
     return !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()
-               ? QStringLiteral("the output would take the place of the project")
+               ? QStringLiteral("the output would replace the project")
                : QString();
 }
 
@@ -142,7 +142,7 @@ void Options::readReport() {
     many.suffix = given.has("--format") ? text("--format") : many.suffix;
     many.force = given.has("--force");
     if (!report::kindOf(kind) && !request.paper) {
-        fault = QStringLiteral("there is no report “%1”; there are: %2").arg(kind, reportKeys());
+        fault = QStringLiteral("unknown report “%1”; known: %2").arg(kind, reportKeys());
         return;
     }
     fault = readHandoutOptions(given, request);
@@ -285,7 +285,7 @@ bool showWantedView(MainWindow& window, const QString& name) {
     for (const View* view : window.views()) {
         names += view->objectName();
     }
-    say(stderr, QStringLiteral("sparkout: there is no view “%1”; there are: %2")
+    say(stderr, QStringLiteral("sparkout: unknown view “%1”; known: %2")
                     .arg(printableText(name), names.join(QStringLiteral(", "))));
     return false;
 }
@@ -297,8 +297,9 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words = cli::argumentsOf(argc, argv);
     for (const std::string& word : words) {
         if (systemText(fromSystemText(word)) != word) { // another file would be read or written
-            say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
-                            .arg(QString::fromStdString(printable(word))));
+            say(stderr,
+                QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli accepts such names")
+                    .arg(QString::fromStdString(printable(word))));
             return exitUsage;
         }
     }

@@ -101,7 +101,7 @@ std::optional<report::Report> paperOfProject(const ReportRequest& request) {
         return std::nullopt;
     }
     if (request.stepAsked && !report::findStep(outcome->trajectory, request.handout.step)) {
-        say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
+        say(stderr, QStringLiteral("sparkout: --at selects no step of this cycle"));
         return std::nullopt;
     }
     const report::PaperWish wish = wishOf(request);

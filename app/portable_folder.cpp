@@ -43,7 +43,7 @@ void PortableFolder::useItsFonts() {
 void PortableFolder::addItsFonts() {
 #ifdef Q_OS_WIN
     const QDir fonts(programFolder() + QStringLiteral("/fonts"));
-    if (QApplication::platformName() != u"offscreen") { // it takes them by qt.conf
+    if (QApplication::platformName() != u"offscreen") { // it finds them by qt.conf
         for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
             QFontDatabase::addApplicationFont(fonts.filePath(name));
         }

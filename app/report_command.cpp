@@ -270,7 +270,7 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         return refuse(subject.outcome->issues);
     }
     if (request.stepAsked && !report::findStep(subject.outcome->trajectory, request.handout.step)) {
-        say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
+        say(stderr, QStringLiteral("sparkout: --at selects no step of this cycle"));
         return exitUsage;
     }
     if (report::rowOf(request.kind).judgesBatch && project->batch) {
@@ -353,13 +353,12 @@ QStringList outputsOf(const ManyReports& many) {
                 return QFileInfo(other).canonicalFilePath() == target;
             });
         if (isProject) {
-            faults << QStringLiteral("%1 would take the place of a project")
-                          .arg(printableText(output));
+            faults << QStringLiteral("%1 would replace a project").arg(printableText(output));
         } else if (outputs.contains(output)) {
-            faults << QStringLiteral("two of the files would give %1").arg(printableText(output));
-        } else if (QFileInfo::exists(output) && !many.force) {
-            faults << QStringLiteral("%1 is there already; --force replaces it")
+            faults << QStringLiteral("two of the files would be written to %1")
                           .arg(printableText(output));
+        } else if (QFileInfo::exists(output) && !many.force) {
+            faults << QStringLiteral("%1 exists; --force replaces it").arg(printableText(output));
         }
         outputs << output;
     }

@@ -96,7 +96,7 @@ bool openOrSay(Document& document, const QString& path, const QString& surface) 
     if (found) {
         document.showSurface(*found);
     } else {
-        say(stderr, QStringLiteral("sparkout: there is no surface “%1”; there are: %2")
+        say(stderr, QStringLiteral("sparkout: unknown surface “%1”; the file has: %2")
                         .arg(printableText(surface), surfaceNames(document)));
     }
     return found.has_value();
@@ -108,9 +108,9 @@ std::optional<Project> projectOrSay(const QString& path, const QString& surface)
         return std::nullopt;
     }
     if (surface.isEmpty() && document.surfaceCount() > 1) {
-        say(stderr, QStringLiteral("sparkout: the file holds several surfaces, name one by "
-                                   "--surface; there are: %1")
-                        .arg(surfaceNames(document)));
+        say(stderr,
+            QStringLiteral("sparkout: the file holds several surfaces; name one with --surface: %1")
+                .arg(surfaceNames(document)));
         return std::nullopt;
     }
     const Setup upTo = document.upToPresent();

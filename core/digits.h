@@ -14,7 +14,7 @@ namespace sparkout {
 /// digit before them.
 [[nodiscard]] int decimalsOf(double value, int significantDigits);
 
-/// These decimals, or as many more, up to 2, as another value needs that would read as the limit.
+/// This number of decimals, or up to 2 more if another value would otherwise read as the limit.
 [[nodiscard]] int decimalsBeside(double limit, double value, int decimals);
 
 /// Formats with this number of decimals and a point in any locale; never "-0".

@@ -117,9 +117,9 @@ struct Row {
     const char* label = "";
     const char* symbol = "";
     const char* unit = "";
-    Range hard = {};              ///< refused outside; of a text, how many letters it has
+    Range hard = {};              ///< refused outside; for a text, its number of letters
     Range soft = {};              ///< warned outside
-    const char* nullMeaning = ""; ///< what null (not given) means, for members that may be null
+    const char* nullMeaning = ""; ///< meaning of null (not given), for members that may be null
     Condition required = nullptr; ///< required in the file if true; null: never
     Condition relevant = nullptr; ///< used by the model if true; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any

@@ -71,9 +71,9 @@ enum class IssueCode {
     sourceMissing, ///< in catalogues
     noSuchInput,   ///< in lessons
     nameTwice,     ///< in packs
-    severalFit,    ///< a part of several names of the catalogue
-    otherMachines, ///< those of the catalogue that take a part
-    otherWheel,    ///< of the catalogue, that leaves a required Ra
+    severalFit,    ///< matches several names of the catalogue
+    otherMachines, ///< machines of the catalogue that take a part
+    otherWheel,    ///< wheel of the catalogue that leaves a required Ra
     noLaw,         ///< of a factor of a batch
     notAProject,   ///< a text that does not even begin as one
     notAFileName,  ///< in packs
@@ -165,8 +165,8 @@ struct Quoted {
 
 using Detail = std::variant<std::monostate, Amount, Count, Bounds, Keys, Phrase, Numeral, Quoted>;
 
-/// A ground length that the wheel neither covers nor travels along, and what decides which wheel
-/// would do.
+/// A ground length that the wheel neither covers nor travels along, and the data that decide which
+/// wheel fits.
 struct WheelNeed {
     double length_mm = 0;
     double overrun_entry_mm = 0, overrun_exit_mm = 0;

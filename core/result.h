@@ -66,7 +66,7 @@ struct OutputRow {
     const char* unit = "";          ///< of its values
     const char* shownUnit = "";     ///< that people read them in; empty: the same
     double shownFactor = 1;         ///< values in shownUnit over values in unit
-    const char* hint = "";          ///< what it is, how it is made, what is usual
+    const char* hint = "";          ///< its meaning, its derivation and usual values
     bool sparse = false;            ///< omitted by window and text if no owner has it
     bool detail = false;            ///< only in files; tables of the window show it differently
     /// Whether the machine's own form, which is in it, is known; null: no machine's form is in it.

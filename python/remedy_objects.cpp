@@ -72,7 +72,7 @@ void bindRemedy(py::module_& module) {
             "None where the cycle as it is does not end by itself")
         .def_property_readonly(
             "phases", [](const FoundRemedy& self) { return self.remedy.phases; },
-            "number of stocks drawn at random that it holds for; 0 where stock_mm is decided")
+            "number of random stocks for which the cycle is fit; 0 where stock_mm is decided")
         .def_property_readonly(
             "requirements",
             [](const FoundRemedy& self) { return requirementList(self.remedy.requirements); },

@@ -129,7 +129,7 @@ class JudgedStocks:
 
     @property
     def decided(self) -> bool:
-        """whether the stocks within one infeed are; not under position control, nor of a cycle of too many passes"""
+        """whether the stocks within one infeed are decided; not under position control, nor for a cycle of too many passes"""
     @property
     def holds(self) -> Optional[bool]:
         """whether every requirement is met for each of these stocks"""
@@ -138,7 +138,7 @@ class JudgedStocks:
         """range of stocks per side [mm]"""
     @property
     def failing_share(self) -> Optional[float]:
-        """share of these stocks for which a requirement fails, 0…1"""
+        """share of these stocks for which a requirement is not met, 0…1"""
 
 class Undecided:
     """A requirement that is asked for and not decided."""
@@ -193,7 +193,7 @@ class Judgement:
         """the first that applies: not_computed, fails, stocks_fail, batch_fails, measured_differ, undecided, close, batch_not_run, batch, every_stock, nominal"""
     @property
     def headline(self) -> str:
-        """the same in words"""
+        """the state in words"""
     @property
     def nominal(self) -> bool:
         """whether the part that was run reaches size and meets every requirement"""
@@ -251,10 +251,10 @@ class Remedy:
         """JSON pointer of the input; of a stage more, the stage; of a starting cycle, its first stage"""
     @property
     def before(self) -> Optional[float]:
-        """its value as it is; none for a stage more or a starting cycle"""
+        """current value; none for one more stage or a starting cycle"""
     @property
     def value(self) -> Optional[float]:
-        """the value to apply: the middle of the interval; none for a starting cycle"""
+        """value to apply: the middle of the interval; none for a starting cycle"""
     @property
     def with_value(self) -> Optional[float]:
         """of a pair: the radial feed of the first stage that goes with it"""
@@ -275,13 +275,13 @@ class Remedy:
         """time of the cycle [min]"""
     @property
     def time_change_min(self) -> Optional[float]:
-        """time of the cycle less that of the cycle as it is; none where that one does not end by itself [min]"""
+        """time of the cycle minus that of the unchanged cycle; none if that one does not end by itself [min]"""
     @property
     def stock_mm(self) -> Optional[tuple[float, float]]:
-        """stocks per side, for each of which it holds; none under position control, where it holds for stocks drawn at random [mm]"""
+        """stocks per side for each of which the cycle is fit; none under position control, where stocks are drawn at random [mm]"""
     @property
     def rank(self) -> float:
-        """what it costs, by which remedies are ordered: the change of time as a share of the time, and how much the setting changes"""
+        """cost by which remedies are ordered: the change of time as a share of the time, and the change of the setting"""
     @property
     def time_s(self) -> float: ...
     @property
@@ -303,10 +303,10 @@ class RemedyConflict:
         """narrow, batch, stocks, warned, idle, opposed, several or unmended"""
     @property
     def first(self) -> Optional[str]:
-        """the requirement that fails most; none where the cycle does not end by itself"""
+        """requirement violated most; none if the cycle does not end by itself"""
     @property
     def second(self) -> Optional[str]:
-        """the requirement that fails with the setting"""
+        """requirement not met with the setting"""
     @property
     def path(self) -> Optional[str]:
         """JSON pointer of the setting that comes nearest"""
@@ -315,7 +315,7 @@ class RemedyConflict:
         """value of that setting"""
     @property
     def stock_mm(self) -> Optional[float]:
-        """stock per side for which the cycle fails with it; none unless the kind is stocks [mm]"""
+        """stock per side for which the cycle is unfit with it; none unless the kind is stocks [mm]"""
 
 class Remedies:
     """Possible remedies."""
@@ -325,13 +325,13 @@ class Remedies:
         """holds, room or none"""
     @property
     def fault(self) -> str:
-        """what is not good as it is: part, as stated, stocks, another one within one infeed, batch, too many of its parts, or none"""
+        """fault of the unchanged project: part (as stated), stocks (another stock within one infeed), batch (too many rejected parts) or none"""
     @property
     def status(self) -> str:
         """completed or stopped"""
     @property
     def settings(self) -> int:
-        """settings that there are to try"""
+        """settings to try"""
     @property
     def tried(self) -> int:
         """settings that were tried"""
@@ -405,7 +405,7 @@ class Search:
         """Time of the cycle found [min]."""
     @property
     def least_relative_margin(self) -> Optional[float]:
-        """Minimum margin of all requirements, of its limit."""
+        """Minimum margin of all requirements, relative to its limit."""
     @property
     def cost_per_part(self) -> Optional[float]:
         """Cost of a part with its share of the dressing."""
@@ -443,7 +443,7 @@ class Search:
     def decided_stock_mm(self) -> Optional[tuple[float, float]]: ...
     @property
     def nominal_time_min(self) -> Optional[float]:
-        """Time of the quickest for the part alone [min]."""
+        """Time of the quickest cycle for the part alone [min]."""
     @property
     def time_s(self) -> Optional[float]: ...
     @property

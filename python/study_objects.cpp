@@ -742,7 +742,8 @@ py::object dressingOf(const std::string& text) {
     switch (interval.fault) {
     case DressingFault::none: break;
     case DressingFault::noWear:
-        raiseRefusal("/wear: not given; a dulling or a grinding ratio says how the wheel wears");
+        raiseRefusal(
+            "/wear: not given; a dulling or a grinding ratio determines the wear of the wheel");
     case DressingFault::firstFails:
         raiseRefusal("the first part after dressing does not reach size");
     }

@@ -233,10 +233,10 @@
     <context>
         <name>sparkout::RunKeeper</name>
         <message numerus="yes">
-            <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
+            <source>%n kept runs give other results with this version of the program: %1.</source>
             <translation>
-                <numerusform>A kept run comes out differently with this version of the program than it was kept: %1.</numerusform>
-                <numerusform>%n kept runs come out differently with this version of the program than they were kept: %1.</numerusform>
+                <numerusform>A kept run gives other results with this version of the program: %1.</numerusform>
+                <numerusform>%n kept runs give other results with this version of the program: %1.</numerusform>
             </translation>
         </message>
     </context>
@@ -377,10 +377,10 @@
     <context>
         <name>PassportMeasured</name>
         <message numerus="yes">
-            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part(s) of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</source>
+            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n part(s) of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</source>
             <translation>
-                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</numerusform>
-                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n parts of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</numerusform>
+                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n part of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</numerusform>
+                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n parts of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</numerusform>
             </translation>
         </message>
     </context>
@@ -435,10 +435,10 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <source>The rule fails in %n state(s), first in %1: %2.</source>
             <translation>
-                <numerusform>The rule goes wrong in %n state, first in %1: %2.</numerusform>
-                <numerusform>The rule goes wrong in %n states, first in %1: %2.</numerusform>
+                <numerusform>The rule fails in %n state, first in %1: %2.</numerusform>
+                <numerusform>The rule fails in %n states, first in %1: %2.</numerusform>
             </translation>
         </message>
     </context>

@@ -150,7 +150,7 @@
             <translation>ни одна деталь не рассчитана</translation>
         </message>
         <message>
-            <source>%1 % of the parts are not good, more than the allowed %2 %</source>
+            <source>%1 % of the parts are rejected, more than the allowed %2 %</source>
             <translation>негодных деталей %1 %, больше допустимых %2 %</translation>
         </message>
         <message>
@@ -158,7 +158,7 @@
             <translation>не все детали годны</translation>
         </message>
         <message>
-            <source>%1 % of the parts are not good, no more than the allowed %2 %</source>
+            <source>%1 % of the parts are rejected, no more than the allowed %2 %</source>
             <translation>негодных деталей %1 %, не больше допустимых %2 %</translation>
         </message>
         <message>
@@ -1003,7 +1003,7 @@
             <translation>сечения связаны</translation>
         </message>
         <message>
-            <source>coupled less independent</source>
+            <source>coupled minus independent</source>
             <translation>разность: связаны минус независимы</translation>
         </message>
         <message>
@@ -1057,7 +1057,7 @@
             <translation>Цикл слишком длинный и не записан, поэтому разобрать его шаг нельзя.</translation>
         </message>
         <message>
-            <source>Every formula stands in symbols, then with its numbers, then with its result. Numbers are put in with as many digits as the printed result needs.</source>
+            <source>Every formula is printed in symbols, then with its numbers, then with its result. Numbers have as many digits as the printed result needs.</source>
             <translation>Каждая формула записана в обозначениях, затем с подставленными числами и с результатом. Числа подставлены со столькими знаками, сколько нужно для напечатанного результата.</translation>
         </message>
         <message>
@@ -1108,11 +1108,11 @@
             <translation>среднее отличается от прогноза</translation>
         </message>
         <message>
-            <source>the parts scatter otherwise than predicted</source>
+            <source>the parts scatter differently than predicted</source>
             <translation>рассеяние деталей отличается от прогноза</translation>
         </message>
         <message>
-            <source>the mean differs from the predicted one, and the parts scatter otherwise</source>
+            <source>the mean differs from the predicted one, and the parts scatter differently</source>
             <translation>среднее отличается от прогноза, и рассеяние деталей тоже</translation>
         </message>
         <message>
@@ -1136,7 +1136,7 @@
             <translation>измеренных значений слишком мало для этих параметров</translation>
         </message>
         <message>
-            <source>the project cannot have these parameters, one of them is given twice, or the setting of the gauge is asked of traces</source>
+            <source>the project cannot have these parameters, one of them is given twice, or the setting of the gauge is to be fitted to traces</source>
             <translation>таких параметров у проекта быть не может, один из них указан дважды или настройка прибора определяется по записям</translation>
         </message>
         <message>
@@ -1855,7 +1855,7 @@
             <translation>Полное биение</translation>
         </message>
         <message>
-            <source>About the centre axis, over all sections, with the machine&apos;s own.</source>
+            <source>About the centre axis, over all sections, including the machine&apos;s own runout.</source>
             <translation>Относительно оси центров, по всем сечениям, вместе с биением станка.</translation>
         </message>
         <message>
@@ -1863,7 +1863,7 @@
             <translation>Конусообразность</translation>
         </message>
         <message>
-            <source>Mean radius at the zone&apos;s last section less that at its first, of the straight line through them.</source>
+            <source>Mean radius at the zone&apos;s last section minus that at its first, on the straight line through them.</source>
             <translation>Средний радиус последнего сечения зоны за вычетом первого, по прямой через них.</translation>
         </message>
         <message>
@@ -1871,7 +1871,7 @@
             <translation>Бочкообразность</translation>
         </message>
         <message>
-            <source>Mean radius in the zone&apos;s middle less that at its ends: above 0 a barrel, below it a saddle.</source>
+            <source>Mean radius in the zone&apos;s middle minus that at its ends: above 0 a barrel, below it a saddle.</source>
             <translation>Средний радиус в середине зоны за вычетом радиуса на концах: больше 0 — бочка, меньше — седло.</translation>
         </message>
         <message>
@@ -1879,7 +1879,7 @@
             <translation>Время найденного цикла</translation>
         </message>
         <message>
-            <source>Minimum margin of all requirements, of its limit</source>
+            <source>Minimum margin of all requirements, relative to its limit</source>
             <translation>Наименьший запас по всем требованиям, от предела</translation>
         </message>
         <message>
@@ -1919,7 +1919,7 @@
             <translation>Добавлено сценариев</translation>
         </message>
         <message>
-            <source>Time of the quickest for the part alone</source>
+            <source>Time of the quickest cycle for the part alone</source>
             <translation>Время самого быстрого цикла для одной номинальной детали</translation>
         </message>
         <message>
@@ -1987,7 +1987,7 @@
             <translation>Смещение</translation>
         </message>
         <message>
-            <source>Measured less predicted mean: Welch&apos;s interval, 95 %, with the uncertainty of measuring</source>
+            <source>Measured minus predicted mean: Welch&apos;s interval, 95 %, with the measuring uncertainty</source>
             <translation>Измеренное среднее минус прогнозируемое: интервал Уэлча, 95 %, с неопределённостью измерения</translation>
         </message>
         <message>
@@ -2149,7 +2149,7 @@
             <translation>ступеней ≤ </translation>
         </message>
         <message>
-            <source>Levels that the stock is divided into</source>
+            <source>Number of levels of the stock</source>
             <translation>Число уровней, на которые разделён припуск</translation>
         </message>
         <message>
@@ -2161,7 +2161,7 @@
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Fill the grid and have the answer proved; that runs by itself after an edit</source>
+            <source>Fill the grid and prove the answer; this also starts by itself after an edit</source>
             <translation>Заполнить сетку и доказать ответ; после правки это выполняется само</translation>
         </message>
         <message>
@@ -2169,8 +2169,8 @@
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the run; what is known is kept</source>
-            <translation>Прервать расчёт; известное сохраняется</translation>
+            <source>Stop the run; the results so far are kept</source>
+            <translation>Остановить расчёт; рассчитанное сохраняется</translation>
         </message>
         <message>
             <source>State of the filling</source>
@@ -2197,11 +2197,11 @@
             <translation>К концу обратного хода</translation>
         </message>
         <message>
-            <source>State that is looked at</source>
+            <source>State shown</source>
             <translation>Рассматриваемое состояние</translation>
         </message>
         <message>
-            <source>Number of the state looked at</source>
+            <source>Number of the state shown</source>
             <translation>Номер рассматриваемого состояния</translation>
         </message>
     </context>
@@ -2244,8 +2244,8 @@
             <translation>Вычеркнутые ходы</translation>
         </message>
         <message>
-            <source>Where the rule is wrong</source>
-            <translation>Где правило ошибается</translation>
+            <source>States in which the rule is wrong</source>
+            <translation>Состояния, в которых правило ошибается</translation>
         </message>
         <message>
             <source>path back along m*</source>
@@ -2268,7 +2268,7 @@
             <translation>ходы в состояние (× вычеркнут)</translation>
         </message>
         <message>
-            <source>m: radial feed, mm/dbl stroke
+            <source>m: radial feed, mm/double stroke
 axial feed, mm/min</source>
             <translation>m: радиальная подача, мм/дв. ход
 продольная подача, мм/мин</translation>
@@ -2320,8 +2320,8 @@ axial feed, mm/min</source>
             <translation>Вычеркнутые ходы</translation>
         </message>
         <message>
-            <source>Where the rule is wrong</source>
-            <translation>Где правило ошибается</translation>
+            <source>States in which the rule is wrong</source>
+            <translation>Состояния, в которых правило ошибается</translation>
         </message>
         <message>
             <source>A cell [n, m] holds the minimum time T[n,m] in which n levels of stock are removed, the last with feed m, and m*, the feed before it: T[n,m] = min over m&apos; of (T[n−1,m&apos;] + τ), T[0,0] = 0, over the moves that break no requirement. The minimum time of the last level is that of the cycle; its feeds are read back along m*.</source>
@@ -2347,7 +2347,7 @@ axial feed, mm/min</source>
             <translation>В поиске нет подач для этой сетки. Добавьте их на странице «Поиск».</translation>
         </message>
         <message>
-            <source>The levels of stock are gauged: the grid is of cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
+            <source>The levels of stock are gauged: the grid covers cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
             <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением от прибора. В этом проекте управление по положению; оно меняется на странице «ПАК».</translation>
         </message>
         <message>
@@ -2395,7 +2395,7 @@ axial feed, mm/min</source>
             <translation>его время не наименьшее: доказанный цикл достигает его через %1</translation>
         </message>
         <message>
-            <source>the way kept is not the one to go on from: the proven cycle reaches it after %1 and goes on; the way kept, with the same feeds from here on, %2</source>
+            <source>the kept path is the wrong one to continue: the proven cycle reaches the state after %1 and continues; the kept path, with the same feeds from here on, %2</source>
             <translation>запомнен не тот путь, который следует продолжать: доказанный цикл достигает состояния через %1 и продолжается; запомненный путь с теми же дальнейшими подачами %2</translation>
         </message>
         <message>
@@ -2415,7 +2415,7 @@ axial feed, mm/min</source>
             </translation>
         </message>
         <message numerus="yes">
-            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <source>The rule fails in %n state(s), first in %1: %2.</source>
             <translation>
                 <numerusform>Правило ошибается в %n состоянии, впервые в %1: %2.</numerusform>
                 <numerusform>Правило ошибается в %n состояниях, впервые в %1: %2.</numerusform>
@@ -2427,7 +2427,7 @@ axial feed, mm/min</source>
             <translation>На этой сетке правило верно.</translation>
         </message>
         <message>
-            <source>The rule is right: there is none to find.</source>
+            <source>The rule is right: there is no cycle to find.</source>
             <translation>Правило верно: искать нечего.</translation>
         </message>
         <message>
@@ -2821,7 +2821,7 @@ axial feed, mm/min</source>
             <translation>Радиальная подача, мм/мин</translation>
         </message>
         <message>
-            <source>Radial feed, mm/dbl stroke</source>
+            <source>Radial feed, mm/double stroke</source>
             <translation>Подача радиальная, мм/дв. ход</translation>
         </message>
         <message>
@@ -2971,11 +2971,11 @@ axial feed, mm/min</source>
             <translation>Добавить поиск</translation>
         </message>
         <message>
-            <source>Take the cycle found</source>
+            <source>Apply the cycle found</source>
             <translation>Применить найденный цикл</translation>
         </message>
         <message>
-            <source>Take the values of a point of the sweep</source>
+            <source>Apply the values of a point of the sweep</source>
             <translation>Применить значения точки варьирования</translation>
         </message>
         <message>
@@ -3058,7 +3058,7 @@ axial feed, mm/min</source>
     <context>
         <name>EstimateNames</name>
         <message>
-            <source>Rests on estimates, to be calibrated: %1.</source>
+            <source>Based on estimates, to be calibrated: %1.</source>
             <translation>Опирается на оценки, подлежащие калибровке: %1.</translation>
         </message>
     </context>
@@ -3208,7 +3208,7 @@ axial feed, mm/min</source>
             <translation>Круг затупился: η выросла с %1 до %2.</translation>
         </message>
         <message>
-            <source>at the same lag less is cut</source>
+            <source>less is cut at the same lag</source>
             <translation>при том же отставании срезается меньше</translation>
         </message>
         <message>
@@ -3240,7 +3240,7 @@ axial feed, mm/min</source>
             <translation>в конце цикла сила соответствует меньшей подаче, поэтому отжатия меньше различаются по длине</translation>
         </message>
         <message>
-            <source>after more and shallower cuts less of it is left</source>
+            <source>less of it remains after more and shallower cuts</source>
             <translation>после большего числа менее глубоких проходов от него остаётся меньше</translation>
         </message>
         <message>
@@ -3256,19 +3256,19 @@ axial feed, mm/min</source>
             <translation>Биение заготовок вдвое больше: %1 вместо %2.</translation>
         </message>
         <message>
-            <source>high places are cut deeper than low ones, but not so much deeper that nothing is left of the added %1</source>
+            <source>high places are cut deeper than low ones, but not deep enough to remove all of the added %1</source>
             <translation>выступающие места срезаются глубже впадин, но не настолько, чтобы от прибавленных %1 ничего не осталось</translation>
         </message>
         <message>
-            <source>the stock is the least that any radius has, so a larger runout is more metal to take off</source>
+            <source>the stock is the minimum over all radii, so a larger runout means more metal to remove</source>
             <translation>припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла</translation>
         </message>
         <message>
-            <source>the first stage has more metal to take off</source>
+            <source>the first stage has more metal to remove</source>
             <translation>первая ступень снимает больше металла</translation>
         </message>
         <message>
-            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage takes the rest off.</source>
+            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage removes the rest.</source>
             <translation>Припуск больше на пятую часть: %1 вместо %2 на сторону, прибавку снимает первая ступень.</translation>
         </message>
         <message>
@@ -3304,7 +3304,7 @@ axial feed, mm/min</source>
             <translation>большее отставание нарастает дольше</translation>
         </message>
         <message>
-            <source>what the system has yielded goes on cutting in the slower stage</source>
+            <source>the stored deflection continues to cut in the slower stage</source>
             <translation>то, на что отжата система, срезается ещё и на более медленной ступени</translation>
         </message>
         <message>
@@ -3771,7 +3771,7 @@ With another name both versions stay as they are.</source>
             <translation>Непринятый текст</translation>
         </message>
         <message>
-            <source>Everything else is saved, but the invalid entries are not. Continue without them?</source>
+            <source>Everything but the invalid entries is saved. Continue without them?</source>
             <translation>Всё остальное сохранено, но непринятого текста нет ни в одном файле. Продолжить без него?</translation>
         </message>
         <message>
@@ -4084,7 +4084,7 @@ With another name both versions stay as they are.</source>
             <translation>Ни одна из подач не растёт от ступени к ступени.</translation>
         </message>
         <message>
-            <source>Must hold for</source>
+            <source>Must be fit for</source>
             <translation>Годен для</translation>
         </message>
         <message>
@@ -4120,7 +4120,7 @@ With another name both versions stay as they are.</source>
             <translation>ищутся циклы без неё</translation>
         </message>
         <message>
-            <source>A stage then has one of these, and no radial feed at the reversals, or one of the radial feeds: a list, or from, to and step.</source>
+            <source>A stage then has either one of these and no radial feed at the reversals, or one of the radial feeds: a list, or from, to and step.</source>
             <translation>Ступень имеет тогда одну из них и не имеет радиальной подачи на реверсах либо имеет одну из радиальных подач: список или от, до и шаг.</translation>
         </message>
         <message>
@@ -4384,7 +4384,7 @@ With another name both versions stay as they are.</source>
             <translation>Перебег на входе</translation>
         </message>
         <message>
-            <source>How far the wheel runs past the entry end; the entry reversal zone is B − o1 long.</source>
+            <source>Distance that the wheel runs past the entry end; the entry reversal zone is B − o1 long.</source>
             <translation>На сколько круг выходит за торец входа; длина реверсной зоны РЗ1 равна B − o1.</translation>
         </message>
         <message>
@@ -4392,7 +4392,7 @@ With another name both versions stay as they are.</source>
             <translation>Перебег на выходе</translation>
         </message>
         <message>
-            <source>How far the wheel runs past the exit end; the exit reversal zone is B − o2 long.</source>
+            <source>Distance that the wheel runs past the exit end; the exit reversal zone is B − o2 long.</source>
             <translation>На сколько круг выходит за торец выхода; длина реверсной зоны РЗ2 равна B − o2.</translation>
         </message>
         <message>
@@ -4480,7 +4480,7 @@ With another name both versions stay as they are.</source>
             <translation>Подача на реверсах</translation>
         </message>
         <message>
-            <source>Where the radial feed of a double stroke is fed: at the entry reversal, at the exit reversal, or half of it at each.</source>
+            <source>Reversal at which the infeed of a double stroke takes place: at the entry, at the exit, or half of it at each.</source>
             <translation>Где подаётся радиальная подача двойного хода: у входа, у выхода или пополам.</translation>
         </message>
         <message>
@@ -4540,7 +4540,7 @@ With another name both versions stay as they are.</source>
             <translation>обычная ступень</translation>
         </message>
         <message>
-            <source>The last stage may feed nothing: a number of double strokes or revolutions, or until size.</source>
+            <source>The last stage may have no feed: a number of double strokes or revolutions, or until size.</source>
             <translation>Последняя ступень может быть без подачи: заданное число двойных ходов или оборотов либо до размера.</translation>
         </message>
         <message>
@@ -4556,8 +4556,8 @@ With another name both versions stay as they are.</source>
             <translation>Ступени переключаются</translation>
         </message>
         <message>
-            <source>By the in-process gauge&apos;s reading, or by the position the wheel head has been fed to.</source>
-            <translation>По показанию прибора активного контроля или по положению, до которого подана шлифовальная бабка.</translation>
+            <source>Stages switch by the in-process gauge&apos;s reading, or by the position the wheel head has been fed to.</source>
+            <translation>Ступени переключаются по показанию прибора активного контроля или по положению, до которого подана шлифовальная бабка.</translation>
         </message>
         <message>
             <source>The gauge reads the</source>
@@ -4608,7 +4608,7 @@ With another name both versions stay as they are.</source>
             <translation>Число команд прибора</translation>
         </message>
         <message>
-            <source>How many stages the gauge can switch.</source>
+            <source>Number of stages that the gauge can switch.</source>
             <translation>Сколько ступеней может переключить прибор.</translation>
         </message>
         <message>
@@ -4968,7 +4968,7 @@ With another name both versions stay as they are.</source>
             <translation>Верхнее отклонение</translation>
         </message>
         <message>
-            <source>Upper limit of the diameter less the nominal diameter.</source>
+            <source>Upper limit of the diameter minus the nominal diameter.</source>
             <translation>Наибольший предельный диаметр минус номинальный.</translation>
         </message>
         <message>
@@ -4976,7 +4976,7 @@ With another name both versions stay as they are.</source>
             <translation>Нижнее отклонение</translation>
         </message>
         <message>
-            <source>Lower limit of the diameter less the nominal diameter.</source>
+            <source>Lower limit of the diameter minus the nominal diameter.</source>
             <translation>Наименьший предельный диаметр минус номинальный.</translation>
         </message>
         <message>
@@ -5088,7 +5088,7 @@ With another name both versions stay as they are.</source>
             <translation>Рост</translation>
         </message>
         <message>
-            <source>From the first to the last part between two dressings.</source>
+            <source>Values of the first and of the last part between two dressings.</source>
             <translation>От первой до последней детали между двумя правками.</translation>
         </message>
         <message>
@@ -5100,7 +5100,7 @@ With another name both versions stay as they are.</source>
             <translation>Тепловое расширение</translation>
         </message>
         <message>
-            <source>Growth of one metre of the part per kelvin: it makes the gauge read a warm part too large.</source>
+            <source>Growth of one metre of the part per kelvin; the gauge reads a warm part too large by it.</source>
             <translation>На сколько метр детали удлиняется с каждым кельвином: на столько больше показывает прибор по тёплой детали.</translation>
         </message>
         <message>
@@ -5124,7 +5124,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольшая скорость круга</translation>
         </message>
         <message>
-            <source>Peripheral speed up to which the machine drives a wheel; a starting cycle takes it where the wheel stands it.</source>
+            <source>Peripheral speed up to which the machine drives a wheel; a starting cycle uses it if the wheel allows it.</source>
             <translation>Окружная скорость, до которой станок вращает круг; исходный цикл берёт её, если круг её допускает.</translation>
         </message>
         <message>
@@ -5160,7 +5160,7 @@ With another name both versions stay as they are.</source>
             <translation>Случайная погрешность прибора</translation>
         </message>
         <message>
-            <source>In standard deviations: it multiplies the machine's gauge repeatability. A normal law with mean 0 and deviation 1 is the gauge of the machine as given.</source>
+            <source>Number of standard deviations; it multiplies the machine&apos;s gauge repeatability. A normal law with mean 0 and deviation 1 is the gauge of the machine as given.</source>
             <translation>В средних квадратических отклонениях: умножает повторяемость прибора станка. Нормальный закон со средним 0 и отклонением 1 — прибор, каков он у станка.</translation>
         </message>
         <message>
@@ -5172,7 +5172,7 @@ With another name both versions stay as they are.</source>
             <translation>дрейфа нет</translation>
         </message>
         <message>
-            <source>It multiplies the machine's gauge drift. Growing part by part from 0: the last part is ground the time of a piece later for each part before it; the parts between dressings are those from one setting of the gauge to the next.</source>
+            <source>It multiplies the machine&apos;s gauge drift. Growing from 0, it rises by the piece time from part to part; the parts between dressings are those from one setting of the gauge to the next.</source>
             <translation>Умножает дрейф прибора станка. Растёт от детали к детали с 0: каждая деталь шлифуется на штучное время позже предыдущей; деталей между правками — столько, сколько от настройки прибора до следующей.</translation>
         </message>
         <message>
@@ -5184,7 +5184,7 @@ With another name both versions stay as they are.</source>
             <translation>вся партия</translation>
         </message>
         <message>
-            <source>How many parts are ground between two dressings.</source>
+            <source>Number of parts ground between two dressings.</source>
             <translation>Сколько деталей шлифуют между двумя правками.</translation>
         </message>
         <message>
@@ -5220,7 +5220,7 @@ With another name both versions stay as they are.</source>
             <translation>Сценарии</translation>
         </message>
         <message>
-            <source>How the factors are sampled.</source>
+            <source>Method of sampling the factors.</source>
             <translation>Как выбираются значения факторов.</translation>
         </message>
         <message>
@@ -5252,7 +5252,7 @@ With another name both versions stay as they are.</source>
             <translation>Твёрдость</translation>
         </message>
         <message>
-            <source>Hardness of the part; for the record, the force law takes the flow stress.</source>
+            <source>Hardness of the part; for the record, as the force law uses the flow stress.</source>
             <translation>Твёрдость детали; для сведения — в закон силы входит интенсивность напряжений.</translation>
         </message>
         <message>
@@ -5288,7 +5288,7 @@ With another name both versions stay as they are.</source>
             <translation>Тепло­проводность</translation>
         </message>
         <message>
-            <source>Of the part near the surface.</source>
+            <source>Value of the part near the surface.</source>
             <translation>Детали вблизи поверхности.</translation>
         </message>
         <message>
@@ -5324,7 +5324,7 @@ With another name both versions stay as they are.</source>
             <translation>Положение</translation>
         </message>
         <message>
-            <source>Name to search by.</source>
+            <source>Name used in searches.</source>
             <translation>Название для поиска.</translation>
         </message>
         <message>
@@ -5340,7 +5340,7 @@ With another name both versions stay as they are.</source>
             <translation>Примечание по-русски</translation>
         </message>
         <message>
-            <source>The same for the Russian window.</source>
+            <source>The note in the Russian window.</source>
             <translation>То же для русского окна.</translation>
         </message>
         <message>
@@ -5348,7 +5348,7 @@ With another name both versions stay as they are.</source>
             <translation>Источники</translation>
         </message>
         <message>
-            <source>Where each number comes from.</source>
+            <source>Source of each number.</source>
             <translation>Откуда взято каждое число.</translation>
         </message>
         <message>
@@ -5436,7 +5436,7 @@ With another name both versions stay as they are.</source>
             <translation>как у каждой ступени</translation>
         </message>
         <message>
-            <source>The same for the last stage, which leaves the surface; usually 2.</source>
+            <source>Minimum ratio for the last stage, which leaves the surface; usually 2.</source>
             <translation>Наименьший коэффициент перекрытия последней ступени, которая оставляет поверхность; обычно 2.</translation>
         </message>
         <message>
@@ -5620,7 +5620,7 @@ With another name both versions stay as they are.</source>
             <translation>Расстановка</translation>
         </message>
         <message>
-            <source>By equal steps, or by equal ratios of positive values (logarithmic).</source>
+            <source>Values at equal steps, or at equal ratios of positive values (logarithmic).</source>
             <translation>Равными шагами или, для положительных значений, равными отношениями (логарифмически).</translation>
         </message>
         <message>
@@ -5628,7 +5628,7 @@ With another name both versions stay as they are.</source>
             <translation>Варьируемые величины</translation>
         </message>
         <message>
-            <source>One for curves, two for a map.</source>
+            <source>One varied input gives curves, two give a map.</source>
             <translation>Одна даёт кривые, две — карту.</translation>
         </message>
         <message>
@@ -5644,7 +5644,7 @@ With another name both versions stay as they are.</source>
             <translation>Вспомогательное время</translation>
         </message>
         <message>
-            <source>Loading and measuring, beside the cycle.</source>
+            <source>Loading and measuring, in addition to the cycle.</source>
             <translation>Установка и измерение детали сверх цикла.</translation>
         </message>
         <message>
@@ -5664,7 +5664,7 @@ With another name both versions stay as they are.</source>
             <translation>Круг и алмаз, в той же валюте.</translation>
         </message>
         <message>
-            <source>as the batch&apos;s dullness grows, else no dressing</source>
+            <source>as the batch&apos;s dullness grows, otherwise no dressing</source>
             <translation>как растёт затупление в партии, иначе без правки</translation>
         </message>
         <message>
@@ -5676,7 +5676,7 @@ With another name both versions stay as they are.</source>
             <translation>как настроен станок</translation>
         </message>
         <message>
-            <source>One for the whole cycle: a list, or from, to and step.</source>
+            <source>One value for the whole cycle; its levels as a list, or from, to and step.</source>
             <translation>Одно значение на весь цикл: список либо «от», «до» и шаг.</translation>
         </message>
         <message>
@@ -5692,7 +5692,7 @@ With another name both versions stay as they are.</source>
             <translation>Выхаживание в конце</translation>
         </message>
         <message>
-            <source>Double strokes or revolutions of one more stage that feeds nothing and takes the last stock: a list, or from, to and step; 0 is no such stage.</source>
+            <source>Double strokes or revolutions of one more stage without feed that removes the last stock: a list, or from, to and step; 0: without this stage.</source>
             <translation>Двойные ходы или обороты ещё одной ступени без подачи, снимающей последний припуск: список либо «от», «до» и шаг; 0 — без неё.</translation>
         </message>
         <message>
@@ -5740,7 +5740,7 @@ With another name both versions stay as they are.</source>
             <translation>годной должна быть каждая деталь</translation>
         </message>
         <message>
-            <source>Share of the parts that may fail before the cycle is unfit; when more of them are expected to be out of tolerance, it is conditionally fit.</source>
+            <source>Share of the parts that may be rejected before the cycle is unfit; when more of them are expected to be out of tolerance, it is conditionally fit.</source>
             <translation>Доля негодных деталей, при превышении которой цикл не годен; если больше этой доли ожидаемая доля вне допуска, цикл условно годен.</translation>
         </message>
         <message>
@@ -5904,7 +5904,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольшая длина детали</translation>
         </message>
         <message>
-            <source>Length that the machine takes.</source>
+            <source>Length that the machine accepts.</source>
             <translation>Длина детали, которую принимает станок.</translation>
         </message>
         <message>
@@ -5912,7 +5912,7 @@ With another name both versions stay as they are.</source>
             <translation>Наибольший диаметр круга</translation>
         </message>
         <message>
-            <source>Diameter of a new wheel that the machine takes.</source>
+            <source>Diameter of a new wheel that the machine accepts.</source>
             <translation>Диаметр нового круга, который принимает станок.</translation>
         </message>
         <message>
@@ -5996,7 +5996,7 @@ With another name both versions stay as they are.</source>
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>Where it was measured: the zone or section, counted from 0 from the headstock.</source>
+            <source>Zone or section where it was measured, counted from 0 at the headstock.</source>
             <translation>Место измерения: зона или сечение, счёт с 0 от передней бабки.</translation>
         </message>
         <message>
@@ -6004,7 +6004,7 @@ With another name both versions stay as they are.</source>
             <translation>Измеренные диаметры</translation>
         </message>
         <message>
-            <source>One diameter, or several round the part, of which the mean counts.</source>
+            <source>One diameter, or several around the part, whose mean counts.</source>
             <translation>Один диаметр или несколько по окружности; в счёт идёт их среднее.</translation>
         </message>
         <message>
@@ -6044,7 +6044,7 @@ With another name both versions stay as they are.</source>
             <translation>Когда деталь была отшлифована или измерена.</translation>
         </message>
         <message>
-            <source>Anything worth knowing of the data.</source>
+            <source>Anything worth knowing about the data.</source>
             <translation>Всё, что важно знать о данных.</translation>
         </message>
         <message>
@@ -6060,7 +6060,7 @@ With another name both versions stay as they are.</source>
             <translation>там, где измеряет прибор</translation>
         </message>
         <message>
-            <source>Where a size was recorded: the zone or section, counted from 0.</source>
+            <source>Zone or section where a size was recorded, counted from 0.</source>
             <translation>Где записан размер: зона или сечение, счёт с 0.</translation>
         </message>
         <message>
@@ -6124,7 +6124,7 @@ With another name both versions stay as they are.</source>
             <translation>Отсчётов в источнике</translation>
         </message>
         <message>
-            <source>Number of samples in that file; where there were more than are kept, they were reduced to means.</source>
+            <source>Number of samples in that file; if they exceeded the limit, they were reduced to means.</source>
             <translation>Сколько отсчётов в этом файле; лишние сведены в средние.</translation>
         </message>
         <message>
@@ -6136,7 +6136,7 @@ With another name both versions stay as they are.</source>
             <translation>Число деталей</translation>
         </message>
         <message>
-            <source>How many parts were measured.</source>
+            <source>Number of parts that were measured.</source>
             <translation>Сколько деталей измерено.</translation>
         </message>
         <message>
@@ -6232,7 +6232,7 @@ With another name both versions stay as they are.</source>
             <translation>Измеренных значений</translation>
         </message>
         <message>
-            <source>How many measured values it rests on.</source>
+            <source>Number of measured values used.</source>
             <translation>На скольких измеренных значениях оно основано.</translation>
         </message>
         <message>
@@ -6240,7 +6240,7 @@ With another name both versions stay as they are.</source>
             <translation>Дата</translation>
         </message>
         <message>
-            <source>When it was calibrated, ISO 8601.</source>
+            <source>Date and time of the calibration, ISO 8601.</source>
             <translation>Когда откалибровано, ISO 8601.</translation>
         </message>
         <message>
@@ -6280,7 +6280,7 @@ With another name both versions stay as they are.</source>
             <translation>ничего не измерено</translation>
         </message>
         <message>
-            <source>Measured parts and traces to compare with the prediction, and what was calibrated on them.</source>
+            <source>Measured parts and traces to compare with the prediction, and the inputs calibrated on them.</source>
             <translation>Измеренные детали и записи, с которыми сравнивается прогноз, и то, что по ним откалибровано.</translation>
         </message>
         <message>
@@ -6312,7 +6312,7 @@ With another name both versions stay as they are.</source>
             <translation>Уровни уточняются по ответу</translation>
         </message>
         <message>
-            <source>Levels of the feeds are added around the answer, and beyond the edge of the grid where the answer lies there and the machine allows it; then the grid is searched again.</source>
+            <source>Levels of the feeds are added around the answer, and beyond the edge of the grid if the answer lies there and the machine allows it; then the grid is searched again.</source>
             <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
         </message>
         <message>
@@ -6372,7 +6372,7 @@ With another name both versions stay as they are.</source>
             <translation>по коэффициентам закона силы</translation>
         </message>
         <message>
-            <source>The cutting force from grain size and structure, summed over the grains in contact, in place of the law that takes all chips together for the metal removed.</source>
+            <source>The cutting force from grain size and structure, summed over the grains in contact, instead of the law for all chips together.</source>
             <translation>Сила резания по зернистости и структуре, суммированная по зёрнам в контакте, вместо закона, в котором срезы вместе составляют снятый металл.</translation>
         </message>
         <message>
@@ -6532,7 +6532,7 @@ With another name both versions stay as they are.</source>
             <translation>При поиске наименьшей стоимости с изнашивающимся кругом его находит поиск, а это — наибольшее допустимое.</translation>
         </message>
         <message>
-            <source>Shown beside the time; the minimum is searched where that is the objective.</source>
+            <source>Shown beside the time; the minimum is searched if it is the objective.</source>
             <translation>Указывается рядом со временем; наименьшая ищется, если это цель поиска.</translation>
         </message>
         <message>
@@ -6540,11 +6540,11 @@ With another name both versions stay as they are.</source>
             <translation>Цель поиска</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle holds for all of them, with the wheel as the part&apos;s wear makes it. The minimum cost needs the cost of a part.</source>
+            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle is fit for all of them, with the wheel as worn by the parts. The minimum cost needs the cost of a part.</source>
             <translation>Стоимость и стойкость круга ищутся по деталям от правки до правки: цикл годен для каждой из них, с кругом, каким его делает износ, заданный у детали. Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
-            <source>Path of an input, or of all below it, as `/wheel/dullness` or `/cycle`. Of several that name an input the longest holds.</source>
+            <source>Path of an input, or of all below it, as `/wheel/dullness` or `/cycle`. Of several that name an input the longest applies.</source>
             <translation>Путь исходной величины или всех под ним, например `/wheel/dullness` или `/cycle`. Если величину называют несколько путей, действует самый длинный.</translation>
         </message>
         <message>
@@ -6568,7 +6568,7 @@ With another name both versions stay as they are.</source>
             <translation>Вид</translation>
         </message>
         <message>
-            <source>By its name for `--view`; not given: the one in front stays.</source>
+            <source>Name of the view as for `--view`; not given: the current view stays.</source>
             <translation>По имени для `--view`; не задан — остаётся открытый вид.</translation>
         </message>
         <message>
@@ -6592,7 +6592,7 @@ With another name both versions stay as they are.</source>
             <translation>Задание</translation>
         </message>
         <message>
-            <source>The one that the step is about, from 1.</source>
+            <source>Number of the surface that the step is about, from 1.</source>
             <translation>О какой поверхности шаг; счёт от 1.</translation>
         </message>
         <message>
@@ -6612,7 +6612,7 @@ With another name both versions stay as they are.</source>
             <translation>Скрыто</translation>
         </message>
         <message>
-            <source>Views, panels and commands that are not there in this step.</source>
+            <source>Views, panels and commands that are hidden in this step.</source>
             <translation>Виды, панели и команды, которых на этом шаге нет.</translation>
         </message>
         <message>
@@ -6660,7 +6660,7 @@ With another name both versions stay as they are.</source>
             <translation>у всех студентов один проект</translation>
         </message>
         <message>
-            <source>In the teacher&apos;s file alone.</source>
+            <source>Only in the teacher&apos;s file.</source>
             <translation>Только в файле преподавателя.</translation>
         </message>
         <message>
@@ -6676,7 +6676,7 @@ With another name both versions stay as they are.</source>
             <translation>Наименьший запас</translation>
         </message>
         <message>
-            <source>The relative margin that the worst requirement is to have left.</source>
+            <source>Relative margin that the worst requirement must have.</source>
             <translation>Относительный запас, который должен остаться у худшего требования.</translation>
         </message>
         <message>
@@ -6684,7 +6684,7 @@ With another name both versions stay as they are.</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>
-            <source>Under gauge control the requirements are to hold for every stock within one infeed of the last stage, as the verdict judges it; else for the part that is run.</source>
+            <source>Under gauge control the requirements must be met for every stock within one infeed of the last stage, as in the verdict; otherwise for the part that is run.</source>
             <translation>При управлении от прибора требования должны выполняться для всех припусков в пределах одной подачи последней ступени, как их оценивает заключение; иначе для рассчитанной детали.</translation>
         </message>
         <message>
@@ -6704,7 +6704,7 @@ With another name both versions stay as they are.</source>
             <translation>задано время</translation>
         </message>
         <message>
-            <source>Of the quickest cycle of the project&apos;s grid that meets every requirement, as the search proves it for each variant.</source>
+            <source>Relative to the quickest cycle of the project&apos;s grid that meets every requirement, proved by the search for each variant.</source>
             <translation>От самого быстрого цикла на сетке проекта, выполняющего все требования: его доказывает поиск для каждого варианта.</translation>
         </message>
         <message>
@@ -6756,19 +6756,19 @@ With another name both versions stay as they are.</source>
             <translation>Где сравнивается</translation>
         </message>
         <message>
-            <source>Where the drawn curve is compared: double strokes, revolutions and stages from 1, sections from 0, zones as 0, 1, 2.</source>
+            <source>Places where the drawn curve is compared: double strokes, revolutions and stages from 1, sections from 0, zones as 0, 1, 2.</source>
             <translation>В каких местах сравнивается кривая: двойные ходы, обороты и ступени от 1, сечения от 0, зоны как 0, 1, 2.</translation>
         </message>
         <message>
-            <source>Share within it</source>
+            <source>Share within the tolerance</source>
             <translation>Доля мест в допуске</translation>
         </message>
         <message>
-            <source>Of the places where it is compared.</source>
+            <source>Share of the places where it is compared.</source>
             <translation>Из мест, где кривая сравнивается.</translation>
         </message>
         <message>
-            <source>Alike within</source>
+            <source>Tolerance of the order</source>
             <translation>Одинаковы в пределах</translation>
         </message>
         <message>
@@ -6784,7 +6784,7 @@ With another name both versions stay as they are.</source>
             <translation>Варианты ответа</translation>
         </message>
         <message>
-            <source>A student&apos;s file does not say which of them are right.</source>
+            <source>A student&apos;s file does not state which options are right.</source>
             <translation>В файле студента не сказано, какие из них верны.</translation>
         </message>
         <message>
@@ -6796,7 +6796,7 @@ With another name both versions stay as they are.</source>
             <translation>Сколько букв должно быть в ответе.</translation>
         </message>
         <message>
-            <source>Requirements hold</source>
+            <source>Requirements are met</source>
             <translation>Требования выполнены</translation>
         </message>
         <message>
@@ -6860,7 +6860,7 @@ With another name both versions stay as they are.</source>
             <translation>Хранится для преподавателя, он ставит баллы.</translation>
         </message>
         <message>
-            <source>By its name; the unit is in it.</source>
+            <source>Name of the quantity; it contains the unit.</source>
             <translation>По имени; единица — в нём.</translation>
         </message>
         <message>
@@ -6884,7 +6884,7 @@ With another name both versions stay as they are.</source>
             <translation>последний на ступени</translation>
         </message>
         <message>
-            <source>Of the cycle, counted from 1.</source>
+            <source>Number within the cycle, counted from 1.</source>
             <translation>В цикле, счёт от 1.</translation>
         </message>
         <message>
@@ -6924,7 +6924,7 @@ With another name both versions stay as they are.</source>
             <translation>По-английски</translation>
         </message>
         <message>
-            <source>The same. Where one language is missing, the other is shown.</source>
+            <source>If one language is missing, the other is shown.</source>
             <translation>То же. Если одного языка нет, показывается другой.</translation>
         </message>
         <message>
@@ -6944,7 +6944,7 @@ With another name both versions stay as they are.</source>
             <translation>Норма времени</translation>
         </message>
         <message>
-            <source>Of the whole work, by a student.</source>
+            <source>Time of a student for the whole work.</source>
             <translation>На всю работу, для студента.</translation>
         </message>
         <message>
@@ -6968,7 +6968,7 @@ With another name both versions stay as they are.</source>
         <translation>Название набора</translation>
     </message>
     <message>
-        <source>As the entry of the catalogue is called.</source>
+        <source>Name of the catalogue entry.</source>
         <translation>Как называется запись каталога.</translation>
     </message>
     <message>
@@ -7016,7 +7016,7 @@ With another name both versions stay as they are.</source>
         <translation>Лучшее время не более</translation>
     </message>
     <message>
-        <source>Of the best time of the lesson as it stands.</source>
+        <source>Relative to the best time of the original lesson.</source>
         <translation>От лучшего времени исходной работы.</translation>
     </message>
     <message>
@@ -7024,7 +7024,7 @@ With another name both versions stay as they are.</source>
         <translation>Отличие запаса не более</translation>
     </message>
     <message>
-        <source>How far the minimum relative margin of the best answer may be from that of the lesson as it stands, in percentage points.</source>
+        <source>Largest difference between the minimum relative margin of the best answer and that of the original lesson, in percentage points.</source>
         <translation>Насколько наименьший относительный запас лучшего ответа может отличаться от запаса исходной работы, в процентных пунктах.</translation>
     </message>
     <message>
@@ -7032,7 +7032,7 @@ With another name both versions stay as they are.</source>
         <translation>Сложность</translation>
     </message>
     <message>
-        <source>The figure is that of the project as the step begins; from 1.</source>
+        <source>Number of the step whose initial project has the figure, from 1.</source>
         <translation>Показатель — у проекта в начале этого шага; счёт от 1.</translation>
     </message>
     <message>
@@ -7052,7 +7052,7 @@ With another name both versions stay as they are.</source>
         <translation>не ограничено сверху</translation>
     </message>
     <message>
-        <source>Every value of each goes with every value of the others.</source>
+        <source>Every value of each input is combined with every value of the others.</source>
         <translation>Значения каждой сочетаются со всеми значениями остальных.</translation>
     </message>
     <message>
@@ -7096,7 +7096,7 @@ With another name both versions stay as they are.</source>
             <translation>Неопределённость измерения формы</translation>
         </message>
         <message>
-            <source>as of the size</source>
+            <source>as for the size</source>
             <translation>как у размера</translation>
         </message>
         <message>
@@ -7108,7 +7108,7 @@ With another name both versions stay as they are.</source>
             <translation>Предел смещения формы</translation>
         </message>
         <message>
-            <source>as of the size, otherwise a tenth of the tolerance</source>
+            <source>as for the size, otherwise a tenth of the tolerance</source>
             <translation>как у размера, иначе десятая доля допуска</translation>
         </message>
         <message>
@@ -7128,7 +7128,7 @@ With another name both versions stay as they are.</source>
             <translation>Пороговая сила</translation>
         </message>
         <message>
-            <source>Normal force per millimetre of width up to which the wheel only rubs. It is found from a recorded spark-out: what is left is γ·b·F′_0.</source>
+            <source>Normal force per millimetre of width up to which the wheel only rubs. It is found from a recorded spark-out, whose remainder is γ·b·F′_0.</source>
             <translation>Нормальная сила на миллиметр ширины, до которой круг только трёт. Определяется по записи выхаживания: остаётся γ·b·F′_0.</translation>
         </message>
         <message>
@@ -7148,7 +7148,7 @@ With another name both versions stay as they are.</source>
             <translation>K_0·ε_i/(ε_i·tg β), как в законе источников</translation>
         </message>
         <message>
-            <source>Tangential force per area of chip, beyond the friction at the threshold: it makes the power.</source>
+            <source>Tangential force per area of chip, beyond the friction at the threshold; it determines the power.</source>
             <translation>Касательная сила на единицу площади среза сверх трения при пороговой силе: от неё зависит мощность.</translation>
         </message>
         <message>
@@ -7164,23 +7164,23 @@ With another name both versions stay as they are.</source>
             <translation>Отклонение от круглости от станка</translation>
         </message>
         <message>
-            <source>That of a part ground to the end, of each zone or section, in their order.</source>
-            <translation>У детали, шлифованной до конца, в каждой зоне или сечении по порядку.</translation>
+            <source>Roundness deviation of a part ground to the end, of each zone or section, in their order.</source>
+            <translation>Отклонение от круглости детали, шлифованной до конца, в каждой зоне или сечении по порядку.</translation>
         </message>
         <message>
             <source>Radial runout of the machine</source>
             <translation>Радиальное биение от станка</translation>
         </message>
         <message>
-            <source>That of a part ground to the end, of each zone or section, in their order; no less than the roundness deviation. Its mean over all directions of the eccentricity.</source>
-            <translation>У детали, шлифованной до конца, в каждой зоне или сечении по порядку; не меньше отклонения от круглости. Среднее по всем направлениям эксцентриситета.</translation>
+            <source>Radial runout of a part ground to the end, of each zone or section, in their order; no less than the roundness deviation. It is the mean over all directions of the eccentricity.</source>
+            <translation>Радиальное биение детали, шлифованной до конца, в каждой зоне или сечении по порядку; не меньше отклонения от круглости. Среднее по всем направлениям эксцентриситета.</translation>
         </message>
         <message>
             <source>Number of lobes</source>
             <translation>Число граней от станка</translation>
         </message>
         <message>
-            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout leave it open. Not known: judged as an odd one, with the diameters of two lobes beside.</source>
+            <source>2: an oval. An even number spreads the diameter by twice the roundness deviation, an odd one does not; roundness and runout do not show which. Not known: judged as odd, with the diameters for two lobes stated beside.</source>
             <translation>2 — овал. Чётное число разводит диаметры на два отклонения от круглости, нечётное — нет; отклонение от круглости и биение числа граней не определяют. Не известно: оценка как при нечётном, рядом диаметры при двух гранях.</translation>
         </message>
         <message>
@@ -7188,7 +7188,7 @@ With another name both versions stay as they are.</source>
             <translation>Направление эксцентриситета</translation>
         </message>
         <message>
-            <source>where the runout is the one given</source>
+            <source>the angle that gives the stated runout</source>
             <translation>где биение равно заданному</translation>
         </message>
         <message>
@@ -7382,7 +7382,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — подходит несколько: {limit}</translation>
         </message>
         <message>
-            <source>{value} does not take this part; machines of the catalogue that do: {limit}</source>
+            <source>{value} does not accept this part; machines of the catalogue that do: {limit}</source>
             <translation>{value} не принимает эту деталь; принимают станки каталога: {limit}</translation>
         </message>
         <message>
@@ -7442,7 +7442,7 @@ With another name both versions stay as they are.</source>
             <translation>выхаживанием может быть только последняя ступень; эта — {value} из {limit}</translation>
         </message>
         <message>
-            <source>a spark-out stage feeds nothing: {value} is not used</source>
+            <source>a spark-out stage has no feed: {value} is not used</source>
             <translation>на ступени выхаживания подачи нет: {value} не используется</translation>
         </message>
         <message>
@@ -7450,7 +7450,7 @@ With another name both versions stay as they are.</source>
             <translation>при {value} размер не будет достигнут никогда; допускается: {limit}</translation>
         </message>
         <message>
-            <source>{value} stages need more gauge commands than there are; allowed: {limit}</source>
+            <source>{value} stages need more gauge commands than available; allowed: {limit}</source>
             <translation>ступеней {value}, это больше числа команд прибора; допускается: {limit}</translation>
         </message>
         <message>
@@ -7462,7 +7462,7 @@ With another name both versions stay as they are.</source>
             <translation>{value}: круг упрётся в стенку глухого отверстия; допускается: {limit}</translation>
         </message>
         <message>
-            <source>the wheel turns {value} before the wall of the blind bore: what it does not reach must be relieved</source>
+            <source>the wheel turns {value} before the wall of the blind bore: the unreached length must be relieved</source>
             <translation>круг разворачивается за {value} до стенки глухого отверстия: там, куда он не доходит, нужна канавка</translation>
         </message>
         <message>
@@ -7474,7 +7474,7 @@ With another name both versions stay as they are.</source>
             <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
         </message>
         <message>
-            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not remove its stock of {limit}</source>
+            <source>the part stays {value} above size: a spark-out has no feed, and the deflection did not remove its stock of {limit}</source>
             <translation>до размера остаётся {value}: при выхаживании подачи нет, и отжатие не вернуло припуск ступени {limit}</translation>
         </message>
         <message>
@@ -7510,11 +7510,11 @@ With another name both versions stay as they are.</source>
             <translation>выстой {value} округлён до {limit}, до целых оборотов</translation>
         </message>
         <message>
-            <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli take it</source>
+            <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli open it</source>
             <translation>файл версии {value} содержит несколько поверхностей детали; его принимают окно программы и sparkout-cli</translation>
         </message>
         <message>
-            <source>{value} is the name of surface {limit} already</source>
+            <source>{value} is already the name of surface {limit}</source>
             <translation>{value} — уже имя поверхности {limit}</translation>
         </message>
         <message>
@@ -7522,7 +7522,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — общее для всех поверхностей и стоит вне их</translation>
         </message>
         <message>
-            <source>the gaps leave too little of the surface: {value} radii stand outside them; needed: {limit}, two of them opposite each other</source>
+            <source>the gaps leave too little of the surface: {value} radii lie outside them; needed: {limit}, two of them opposite each other</source>
             <translation>пазы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
         </message>
         <message>
@@ -7550,7 +7550,7 @@ With another name both versions stay as they are.</source>
             <translation>{value} — необычное значение при остальных исходных данных; обычно: {limit}</translation>
         </message>
         <message>
-        <source>an overrun of {value} takes the wheel into a shoulder of the shaft; allowed: {limit}</source>
+        <source>an overrun of {value} runs the wheel into a shoulder of the shaft; allowed: {limit}</source>
         <translation>при перебеге {value} круг набегает на уступ вала; допускается: {limit}</translation>
     </message>
     <message>
@@ -7589,7 +7589,7 @@ With another name both versions stay as they are.</source>
             <translation>Обороты %1…%2, ступень %3</translation>
         </message>
         <message>
-            <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
+            <source>%1, %2: removes %3 µm, %4 µm so far, radius %5 µm from target</source>
             <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
         </message>
     </context>
@@ -8088,7 +8088,7 @@ With another name both versions stay as they are.</source>
             <translation>нет быстрее %1</translation>
         </message>
         <message>
-            <source>%1 % gone through</source>
+            <source>%1 % searched</source>
             <translation>пройдено %1 %</translation>
         </message>
         <message>
@@ -8104,7 +8104,7 @@ With another name both versions stay as they are.</source>
             <translation>%1 с</translation>
         </message>
         <message>
-            <source>This method is for plunge grinding; the exact search takes traverse cycles (%1).</source>
+            <source>This method is for plunge grinding; the exact search handles traverse cycles (%1).</source>
             <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (%1).</translation>
         </message>
         <message>
@@ -8112,7 +8112,7 @@ With another name both versions stay as they are.</source>
             <translation>Этот метод ищет только наименьшее время.</translation>
         </message>
         <message>
-            <source>The refinement between the levels looks for the minimum time alone.</source>
+            <source>The refinement between the levels looks only for the minimum time.</source>
             <translation>Уточнение между уровнями ищет только наименьшее время.</translation>
         </message>
         <message>
@@ -8120,11 +8120,11 @@ With another name both versions stay as they are.</source>
             <translation>Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
-            <source>The maximum margin within a time is searched with the objective “minimum time” alone.</source>
+            <source>The maximum margin within a time is searched only with the objective “minimum time”.</source>
             <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched for the given part alone, not for other stocks within one infeed or for the batch.</source>
+            <source>Cost and wheel life are searched only for the given part, not for other stocks within one infeed or for the batch.</source>
             <translation>Стоимость и стойкость круга ищутся для детали, как она задана: только для её припуска и без партии.</translation>
         </message>
         <message>
@@ -8140,15 +8140,15 @@ With another name both versions stay as they are.</source>
             <translation>Врезной подаче нужны уровни.</translation>
         </message>
         <message>
-            <source>A stage would have more than %1 settings of its feeds: take fewer levels.</source>
+            <source>A stage would have more than %1 settings of its feeds: use fewer levels.</source>
             <translation>У ступени было бы более %1 сочетаний подач: задайте меньше уровней.</translation>
         </message>
         <message>
-            <source>The stock would have more than %1 steps: take a larger step.</source>
+            <source>The stock would have more than %1 steps: use a larger step.</source>
             <translation>У припуска было бы более %1 шагов: увеличьте шаг.</translation>
         </message>
         <message>
-            <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
+            <source>Work speed, dwells and spark-outs make more than %1 combinations: use fewer levels.</source>
             <translation>Частота вращения, выстои и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
@@ -8160,7 +8160,7 @@ With another name both versions stay as they are.</source>
             <translation>При всех частотах вращения заготовки в поиске отношение частот круга и детали ближе к целому числу, чем допускает «%1» (%2): измените это значение или «%3».</translation>
         </message>
         <message>
-            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
+            <source>The stock cannot be divided into these numbers of stages: use a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
         <message>
@@ -8284,7 +8284,7 @@ With another name both versions stay as they are.</source>
             <translation>диапазон станка не задан.</translation>
         </message>
         <message>
-            <source>allowed is %1.</source>
+            <source>allowed: %1.</source>
             <translation>допускается %1.</translation>
         </message>
         <message>
@@ -8292,11 +8292,11 @@ With another name both versions stay as they are.</source>
             <translation>допускаются и меньшие.</translation>
         </message>
         <message>
-            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
+            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is for parts between dressings.</source>
             <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
-            <source>Margins by time are searched by the exact search alone (%1).</source>
+            <source>Margins by time are searched only by the exact search (%1).</source>
             <translation>Запасы по времени ищет только точный поиск (%1).</translation>
         </message>
         <message>
@@ -8391,7 +8391,7 @@ With another name both versions stay as they are.</source>
             <translation>Метод меток</translation>
         </message>
         <message>
-            <source>Proves from few runs that no cycle of the grid is better: what cannot be fit or quicker is not run</source>
+            <source>Proves from few runs that no cycle of the grid is better: cycles that cannot be fit or quicker are not run</source>
             <translation>Доказывает немногими расчётами, что лучшего цикла в сетке нет: то, что не может выдержать требования или быть быстрее, не рассчитывается</translation>
         </message>
         <message>
@@ -8399,11 +8399,11 @@ With another name both versions stay as they are.</source>
             <translation>Рассчитывает все циклы сетки и доказывает тот же ответ без отсечения. Перебор большой сетки занимает часы или дни; при поиске наименьшего времени и наибольшего запаса перебор можно остановить и продолжить</translation>
         </message>
         <message>
-            <source>A heuristic for plunge grinding, as published: of all ways to a level of stock with a feed only the quickest is kept. It is quick, but proves nothing and may find no cycle where there is one</source>
+            <source>A heuristic for plunge grinding, as published: of all paths to a level of stock with a feed only the quickest is kept. It is quick, but proves nothing and may find no cycle although one exists</source>
             <translation>Эвристика для врезного шлифования, как опубликовано: из всех путей к уровню припуска с данной подачей остаётся только самый быстрый. Работает быстро, но ничего не доказывает и может не найти существующего цикла</translation>
         </message>
         <message>
-            <source>A heuristic for plunge grinding: all ways to a level of stock are kept that no other beats in both time and stored deflection. It takes longer with many levels, proves nothing and may find no cycle where there is one</source>
+            <source>A heuristic for plunge grinding: all paths to a level of stock are kept that no other beats in both time and stored deflection. It takes longer with many levels, proves nothing and may find no cycle although one exists</source>
             <translation>Эвристика для врезного шлифования: остаются все пути к уровню припуска, которые никакой другой не превосходит сразу и по времени, и по накопленному отжатию. При многих уровнях работает дольше, ничего не доказывает и может не найти существующего цикла</translation>
         </message>
     </context>
@@ -8449,7 +8449,7 @@ With another name both versions stay as they are.</source>
             <translation>Годна</translation>
         </message>
         <message>
-            <source>Minimum margin, of its limit</source>
+            <source>Minimum margin, relative to its limit</source>
             <translation>Наименьший запас, от предела</translation>
         </message>
         <message>
@@ -8593,7 +8593,7 @@ With another name both versions stay as they are.</source>
             <translation>Откалиброванные исходные данные</translation>
         </message>
         <message>
-            <source>A cycle that the calibration has not used</source>
+            <source>A cycle not used for the calibration</source>
             <translation>Цикл, не использованный при калибровке</translation>
         </message>
         <message>
@@ -8652,7 +8652,7 @@ With another name both versions stay as they are.</source>
             <translation>Оставшийся припуск на этом радиусе</translation>
         </message>
         <message>
-            <source>The forces are those of the depth of cut that the elastic balance gives, further below.</source>
+            <source>The forces are those at the depth of cut of the elastic balance below.</source>
             <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
         </message>
         <message>
@@ -8668,11 +8668,11 @@ With another name both versions stay as they are.</source>
             <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
         </message>
         <message>
-            <source>Each requirement allows a maximum depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
+            <source>Each requirement allows a maximum depth of cut; the formulas below show its origin. Roughness limits only the last cut of the cycle.</source>
             <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
         </message>
         <message>
-            <source>Each requirement allows a maximum depth of cut; the formulas below say where it comes from.</source>
+            <source>Each requirement allows a maximum depth of cut; the formulas below show its origin.</source>
             <translation>Каждое требование допускает свою наибольшую подачу; откуда она берётся, показывают формулы ниже.</translation>
         </message>
         <message>
@@ -9467,7 +9467,7 @@ With another name both versions stay as they are.</source>
             <translation>Число команд прибора</translation>
         </message>
         <message>
-            <source>the stages need %2 more gauge commands than there are</source>
+            <source>the stages need %2 more gauge commands than available</source>
             <translation>ступеням не хватает команд прибора: %2</translation>
         </message>
         <message>
@@ -9841,7 +9841,7 @@ With another name both versions stay as they are.</source>
             <translation>Ступень</translation>
         </message>
         <message>
-            <source>Specific energy below %2 J/mm³ (stage %1): too little to be true; the wheel&apos;s dullness or the flow stress may be set too low.</source>
+            <source>Specific energy below %2 J/mm³ (stage %1) is implausibly low; the wheel&apos;s dullness or the flow stress may be set too low.</source>
             <translation>Удельная энергия ниже %2 Дж/мм³ (ступень %1): неправдоподобно мало; возможно, занижены степень затупления круга или интенсивность напряжений.</translation>
         </message>
         <message>
@@ -9872,7 +9872,7 @@ With another name both versions stay as they are.</source>
             <translation>Прописные буквы — для отверстий, а эта поверхность — вал.</translation>
         </message>
         <message>
-            <source>ISO 286 has no such class here: sizes to 500 mm, grades 4 to 14, letters d to p.</source>
+            <source>ISO 286 does not have this class here: sizes to 500 mm, grades 4 to 14, letters d to p.</source>
             <translation>Такого поля здесь нет: по ISO 286 размеры до 500 мм, квалитеты 4–14, буквы от d до p.</translation>
         </message>
         <message>
@@ -10330,7 +10330,7 @@ With another name both versions stay as they are.</source>
             <translation>Лабораторная работа</translation>
         </message>
         <message>
-            <source>Requirements hold</source>
+            <source>Requirements are met</source>
             <translation>Требования выполнены</translation>
         </message>
         <message>
@@ -10358,7 +10358,7 @@ With another name both versions stay as they are.</source>
             <translation>Ответ</translation>
         </message>
         <message>
-            <source>Right ones chosen</source>
+            <source>Right options chosen</source>
             <translation>Выбраны верные</translation>
         </message>
         <message>
@@ -10499,19 +10499,19 @@ With another name both versions stay as they are.</source>
             <translation>Чем определено</translation>
         </message>
         <message>
-            <source>Parts that are not good</source>
+            <source>Rejected parts</source>
             <translation>Негодных деталей</translation>
         </message>
         <message>
-            <source>Share of parts that are not good</source>
+            <source>Share of rejected parts</source>
             <translation>Доля негодных деталей</translation>
         </message>
         <message>
-            <source>Share that is not good, 95 % from</source>
+            <source>Share of rejected parts, 95 % from</source>
             <translation>Доля негодных, 95 % от</translation>
         </message>
         <message>
-            <source>Share that is not good, 95 % to</source>
+            <source>Share of rejected parts, 95 % to</source>
             <translation>Доля негодных, 95 % до</translation>
         </message>
         <message>
@@ -10640,11 +10640,11 @@ With another name both versions stay as they are.</source>
             <translation>Ограничивающие требования</translation>
         </message>
         <message>
-            <source>Factors and verdict, statistics, rejects by cause, what matters most, histograms and the worst part, each on a sheet of its own.</source>
+            <source>Factors and verdict, statistics, rejects by cause, influence of the factors, histograms and the worst part, each on a separate sheet.</source>
             <translation>Факторы и заключение, статистика, брак по причинам, влияние факторов, гистограммы и худшая деталь — каждое на отдельном листе.</translation>
         </message>
         <message>
-            <source>The inputs varied and every point; over two inputs every quantity on a sheet of its own, too.</source>
+            <source>The inputs varied and every point; over two inputs every quantity on a separate sheet, too.</source>
             <translation>Варьируемые величины и все точки; по двум величинам — ещё и каждый показатель на отдельном листе.</translation>
         </message>
         <message>
@@ -10656,8 +10656,8 @@ With another name both versions stay as they are.</source>
             <translation>Запас по времени</translation>
         </message>
         <message>
-            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and what binds, each on a sheet of its own.</source>
-            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и что ограничивает — каждое на отдельном листе.</translation>
+            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and the binding requirements, each on a separate sheet.</source>
+            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и ограничивающие требования — каждое на отдельном листе.</translation>
         </message>
         <message>
             <source>Notes</source>
@@ -10913,7 +10913,7 @@ With another name both versions stay as they are.</source>
             <translation>припуск, оставшийся под срезом</translation>
         </message>
         <message>
-            <source>lag of the radius: what the wheel head is ahead of it</source>
+            <source>lag of the radius: the distance of the wheel head ahead of it</source>
             <translation>отставание радиуса: насколько шлифовальная бабка подана дальше него</translation>
         </message>
         <message>
@@ -10937,11 +10937,11 @@ With another name both versions stay as they are.</source>
             <translation>упругое отжатие системы</translation>
         </message>
         <message>
-            <source>deflection of all that yields</source>
+            <source>total deflection</source>
             <translation>отжатие всего, что податливо</translation>
         </message>
         <message>
-            <source>temperature rise of the surface that is just allowed</source>
+            <source>allowed temperature rise of the surface</source>
             <translation>предельно допустимый нагрев поверхности</translation>
         </message>
         <message>
@@ -10949,7 +10949,7 @@ With another name both versions stay as they are.</source>
             <translation>глубина прогрева за время контакта</translation>
         </message>
         <message>
-            <source>that stock over twice this depth</source>
+            <source>stock left over twice this depth</source>
             <translation>этот припуск, делённый на две таких глубины</translation>
         </message>
         <message>
@@ -10985,7 +10985,7 @@ With another name both versions stay as they are.</source>
             <translation>раскрытие профиля круга при срезе</translation>
         </message>
         <message>
-            <source>share of the profile that the cut takes</source>
+            <source>share of the profile removed by the cut</source>
             <translation>доля профиля, занятая срезом</translation>
         </message>
         <message>
@@ -11025,7 +11025,7 @@ With another name both versions stay as they are.</source>
             <translation>критическая сила на одно зерно</translation>
         </message>
         <message>
-            <source>force that the wheel bears, per width and root of the depth</source>
+            <source>force that the wheel withstands, per width and root of the depth</source>
             <translation>сила, которую выдерживает круг, на единицу ширины и корня из подачи</translation>
         </message>
         <message>
@@ -11104,11 +11104,11 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Английский: запятая, десятичная точка…</translation>
         </message>
         <message>
-            <source>Numbers with all their digits, units in a row of their own</source>
+            <source>Numbers with all their digits, units in a separate row</source>
             <translation>Числа со всеми знаками, единицы в отдельной строке</translation>
         </message>
         <message>
-            <source>Headers in the language of the window; Excel opens the file as it is</source>
+            <source>Headers in the language of the window; Excel opens the file directly</source>
             <translation>Заголовки на языке окна; Excel открывает файл сразу</translation>
         </message>
         <message>
@@ -11155,7 +11155,7 @@ With another name both versions stay as they are.</source>
             <translation>Поиграйте подачами</translation>
         </message>
         <message>
-            <source>Drag a slider and watch curves, time and margins follow. Undo takes a whole drag back.</source>
+            <source>Drag a slider and watch curves, time and margins follow. Undo reverts a whole drag.</source>
             <translation>Потяните ползунок и смотрите, как меняются кривые, время и запасы. Отмена возвращает перетаскивание целиком.</translation>
         </message>
         <message>
@@ -11179,7 +11179,7 @@ With another name both versions stay as they are.</source>
             <translation>Строка — ступень: подачи, припуск, выхаживание и время, которое она занимает. Введите число в ячейку — всё сразу пересчитается. На страницах выше — деталь, материал, круг, станок, ПАК и партия.</translation>
         </message>
         <message>
-            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The first tab sums the cycle up in bars; the others show form, limits, compliance, layers, a batch and compared runs.</source>
+            <source>Dashed: the feed of the program. Solid: the actual cut, zone by zone, which differs because everything yields. The first tab sums the cycle up in bars; the others show form, limits, compliance, layers, a batch and compared runs.</source>
             <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. Первая вкладка подводит итог цикла столбцами; на остальных — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
         </message>
         <message>
@@ -11401,7 +11401,7 @@ With another name both versions stay as they are.</source>
             <translation>мм^1,5</translation>
         </message>
         <message>
-            <source>mm/dbl stroke</source>
+            <source>mm/double stroke</source>
             <translation>мм/дв. ход</translation>
         </message>
         <message>
@@ -11580,11 +11580,11 @@ With another name both versions stay as they are.</source>
             <translation> При чётном числе граней: %1 мкм.</translation>
         </message>
         <message>
-            <source>; what the machine adds is not known</source>
+            <source>; the machine&apos;s share is not known</source>
             <translation>; без погрешности станка</translation>
         </message>
         <message>
-            <source>, with what the machine prints</source>
+            <source>, including the form that the machine prints</source>
             <translation>, с формой от станка</translation>
         </message>
     </context>
@@ -11840,7 +11840,7 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>&amp;Help on what is in focus</source>
+            <source>&amp;Help on the focused item</source>
             <translation>&amp;Справка по месту курсора</translation>
         </message>
         <message>
@@ -12071,7 +12071,7 @@ With another name both versions stay as they are.</source>
             <translation>Ход расчёта партии</translation>
         </message>
         <message>
-            <source>Figures of the batch</source>
+            <source>Quantities of the batch</source>
             <translation>Показатели партии</translation>
         </message>
         <message>
@@ -12103,7 +12103,7 @@ With another name both versions stay as they are.</source>
             <translation>Индексы Соболя</translation>
         </message>
         <message>
-            <source>How the weight of a factor is expressed</source>
+            <source>Measure of a factor&apos;s influence</source>
             <translation>Чем выражен вес фактора</translation>
         </message>
         <message>
@@ -12111,11 +12111,11 @@ With another name both versions stay as they are.</source>
             <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, что показывает R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
         </message>
         <message>
-            <source>Quantity across</source>
+            <source>Quantity on the horizontal axis</source>
             <translation>Показатель по горизонтали</translation>
         </message>
         <message>
-            <source>Quantity upwards</source>
+            <source>Quantity on the vertical axis</source>
             <translation>Показатель по вертикали</translation>
         </message>
         <message>
@@ -12198,7 +12198,7 @@ With another name both versions stay as they are.</source>
             <translation>Ход расчёта партии</translation>
         </message>
         <message>
-            <source>Stop the batch; no report is made</source>
+            <source>Stop the batch; no report is written</source>
             <translation>Прекратить расчёт партии; отчёт не создаётся</translation>
         </message>
     </context>
@@ -12216,7 +12216,7 @@ With another name both versions stay as they are.</source>
             <translation>Сохранить как своё</translation>
         </message>
         <message>
-            <source>Your own catalogue cannot be read. “From catalogue…” says why.</source>
+            <source>Your own catalogue cannot be read. “From catalogue…” shows the reason.</source>
             <translation>Ваш каталог не читается. Причина указана в окне «Из каталога…».</translation>
         </message>
         <message>
@@ -12240,7 +12240,7 @@ With another name both versions stay as they are.</source>
             <translation>Из каталога…</translation>
         </message>
         <message>
-            <source>Take values from the catalogue; what changes is shown first</source>
+            <source>Apply values from the catalogue; the changes are shown first</source>
             <translation>Применить значения из каталога; сначала показано, что изменится</translation>
         </message>
         <message>
@@ -12383,7 +12383,7 @@ With another name both versions stay as they are.</source>
             </translation>
         </message>
         <message>
-            <source>The compliance is given on this page, so the stiffness is not read.</source>
+            <source>The compliance is given on this page, so the stiffness is not used.</source>
             <translation>Податливость на этой странице задана, поэтому жёсткость не используется.</translation>
         </message>
         <message>
@@ -12651,7 +12651,7 @@ With another name both versions stay as they are.</source>
             <translation>Одинакова по всей длине.</translation>
         </message>
         <message>
-            <source>Stages end by the position of the wheel head: the gauge has no effect, wherever it is placed.</source>
+            <source>Stages end by the position of the wheel head: the position of the gauge has no effect.</source>
             <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не действует, и все его места равноценны.</translation>
         </message>
         <message>
@@ -12683,8 +12683,8 @@ With another name both versions stay as they are.</source>
             <translation>Лучшее место: %1; там ни один диаметр не дальше %2 мкм от середины поля. Сейчас, на %3 мм: %4 мкм.</translation>
         </message>
         <message>
-            <source>Where to put the gauge</source>
-            <translation>Где поставить прибор</translation>
+            <source>Position of the gauge</source>
+            <translation>Положение прибора</translation>
         </message>
         <message>
             <source>Coupled against independent sections</source>
@@ -12699,7 +12699,7 @@ With another name both versions stay as they are.</source>
             <translation>Поставить прибор туда</translation>
         </message>
         <message>
-            <source>Make the best place the gauge&apos;s free position; can be undone</source>
+            <source>Sets the gauge&apos;s free position to the best place; can be undone</source>
             <translation>Сделать лучшее место местом прибора; можно отменить</translation>
         </message>
         <message>
@@ -12707,7 +12707,7 @@ With another name both versions stay as they are.</source>
             <translation>Податливость задана по зонам или сечениям. Выберите «по жёсткости узлов и валу» на странице «Станок», чтобы увидеть, из чего она складывается.</translation>
         </message>
         <message>
-            <source>The compliance is given section by section, which does not determine how a force in one section moves another. Choose “from stiffness and shaft” on the page Machine.</source>
+            <source>The compliance is given section by section, which does not determine how a force in one section deflects another. Choose “from stiffness and shaft” on the page Machine.</source>
             <translation>Податливость задана по сечениям, а это не говорит, как одно сечение отжимает другое. Выберите «по жёсткости узлов и валу» на странице «Станок».</translation>
         </message>
     </context>
@@ -12730,11 +12730,11 @@ With another name both versions stay as they are.</source>
             <translation>%1 (%2): настройка сверяется с диапазоном станка.</translation>
         </message>
         <message>
-            <source>The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or sections help; the requirements below are of the whole cycle.</source>
+            <source>The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or sections help; the requirements below apply to the whole cycle.</source>
             <translation>Цикл слишком длинный для записи, проходы не показаны. Помогает меньше радиусов или сечений; требования ниже — по всему циклу.</translation>
         </message>
         <message>
-            <source>No limit of the feed is on, so any feed is allowed: enter the burn limit of the material, or the power of a drive. The links below lead to the fields.</source>
+            <source>No limit of the feed is active, so any feed is allowed: enter the burn limit of the material, or the power of a drive. The links below lead to the fields.</source>
             <translation>Подачу ничто не ограничивает: задайте температуру прижога материала или мощность привода. Ссылки внизу ведут к полям.</translation>
         </message>
         <message>
@@ -12758,7 +12758,7 @@ With another name both versions stay as they are.</source>
             <translation>Требования, которые не проверяются</translation>
         </message>
         <message>
-            <source>Requirements by how much of their limit they use up</source>
+            <source>Requirements by the used share of their limit</source>
             <translation>Требования по доле занятого предела</translation>
         </message>
         <message>
@@ -12786,11 +12786,11 @@ With another name both versions stay as they are.</source>
             <translation>Фактические подачи по логарифмической оси: выхаживание и далёкие пределы на одном графике</translation>
         </message>
         <message>
-            <source>Every zone, section and stage; else the worst of each requirement</source>
+            <source>Every zone, section and stage; otherwise the worst of each requirement</source>
             <translation>Все зоны, сечения и ступени; иначе худшее место каждого требования</translation>
         </message>
         <message>
-            <source>To the passes, the profile or the field behind the requirement; also Enter or a double click on its row</source>
+            <source>Goes to the passes, the profile or the field behind the requirement; also Enter or a double click on its row</source>
             <translation>К проходам, профилю или полю, от которых зависит требование; то же — Enter или двойной щелчок по строке</translation>
         </message>
         <message>
@@ -12879,7 +12879,7 @@ With another name both versions stay as they are.</source>
             <translation>B − A = %1</translation>
         </message>
         <message>
-            <source>Difference of the places</source>
+            <source>Distance of the cursors</source>
             <translation>Разность положений</translation>
         </message>
     </context>
@@ -12955,7 +12955,7 @@ With another name both versions stay as they are.</source>
             <translation>Нет результатов</translation>
         </message>
         <message>
-            <source>There is no result of these inputs, so there is nothing to export. The messages say what is wrong with them.</source>
+            <source>There is no result of these inputs, so there is nothing to export. The messages list the faults.</source>
             <translation>С этими исходными данными результата нет, экспортировать нечего. Что в них не так, сказано в сообщениях.</translation>
         </message>
         <message>
@@ -13026,19 +13026,19 @@ With another name both versions stay as they are.</source>
             <translation>Результаты, показатели шлифования и требования</translation>
         </message>
         <message>
-            <source>The object that the command line prints of a run; its keys are the same in every language.</source>
+            <source>The object that the command line prints for a run; its keys are the same in every language.</source>
             <translation>Объект, который печатает о расчёте командная строка; его ключи на всех языках одинаковы.</translation>
         </message>
         <message>
-            <source>Every part on sheets of its own; the trace has %1 rows on %2 sheets, a row for every time a radius passed the wheel.</source>
+            <source>Every part on separate sheets; the trace has %1 rows on %2 sheets, a row for every pass of a radius under the wheel.</source>
             <translation>Каждая часть на своих листах; в трассе %1 строк на %2 листах, по строке на каждое прохождение радиуса под кругом.</translation>
         </message>
         <message>
-            <source>Every part on a sheet of its own.</source>
+            <source>Every part on a separate sheet.</source>
             <translation>Каждая часть на своём листе.</translation>
         </message>
         <message>
-            <source>One table; it has %1 rows, a row for every time a radius passed the wheel.</source>
+            <source>One table; it has %1 rows, a row for every pass of a radius under the wheel.</source>
             <translation>Одна таблица; в ней %1 строк, по строке на каждое прохождение радиуса под кругом.</translation>
         </message>
         <message>
@@ -13133,7 +13133,7 @@ With another name both versions stay as they are.</source>
             <translation>%1: прочитать из файла CSV</translation>
         </message>
         <message>
-            <source>A table whose column “%1” holds a value a line</source>
+            <source>A table whose column “%1” has one value per line</source>
             <translation>Таблица, в столбце «%1» которой в каждой строке значение</translation>
         </message>
     </context>
@@ -13199,7 +13199,7 @@ With another name both versions stay as they are.</source>
             <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
         </message>
         <message>
-            <source>Over the whole cycle a point is a double stroke: feeds are summed over its passes, the force is that of its hardest pass. Closer, a point is one pass, and within one double stroke it is one radius under the wheel.</source>
+            <source>Over the whole cycle a point is a double stroke: feeds are summed over its passes, the force is that of its hardest pass. Zoomed in, a point is one pass, and within one double stroke it is one radius under the wheel.</source>
             <translation>На графике всего цикла точка — двойной ход: подачи просуммированы по его проходам, сила — наибольшая из средних по проходам. При увеличении точка — один проход, а в пределах одного двойного хода — один радиус под кругом.</translation>
         </message>
         <message>
@@ -13207,7 +13207,7 @@ With another name both versions stay as they are.</source>
             <translation>Программная подача всех сечений одинакова, различается их податливость.</translation>
         </message>
         <message>
-            <source>A point is one revolution, in long cycles several of them; closer, it is one radius under the wheel.</source>
+            <source>A point is one revolution, in long cycles several of them; zoomed in, it is one radius under the wheel.</source>
             <translation>Точка — один оборот, в длинных циклах несколько оборотов; при увеличении — один радиус под кругом.</translation>
         </message>
         <message>
@@ -13345,7 +13345,7 @@ With another name both versions stay as they are.</source>
             <translation>Выборочно</translation>
         </message>
         <message>
-            <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict is of the whole cycle.</source>
+            <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict applies to the whole cycle.</source>
             <translation>Цикл слишком длинный для построения: %1 прохождений радиусов, записывается не более %2. Помогает меньшее число радиусов или сечений; заключение относится ко всему циклу.</translation>
         </message>
         <message>
@@ -13455,7 +13455,7 @@ With another name both versions stay as they are.</source>
             <translation>Перезагрузить</translation>
         </message>
         <message>
-            <source>“%1” was removed or renamed by another program. The project now is in this window only.</source>
+            <source>“%1” was removed or renamed by another program. The project now exists only in this window.</source>
             <translation>«%1» удалён или переименован другой программой. Проект теперь есть только в этом окне.</translation>
         </message>
         <message>
@@ -13479,7 +13479,7 @@ With another name both versions stay as they are.</source>
             <translation>Это восстановленная работа от %1. Она ещё не сохранена.</translation>
         </message>
         <message>
-            <source>This is recovered work of %1 on “%2”. It is not saved yet; the file is as it was.</source>
+            <source>This is recovered work of %1 on “%2”. It is not saved yet; the file is unchanged.</source>
             <translation>Это восстановленная работа от %1 над «%2». Она ещё не сохранена; сам файл прежний.</translation>
         </message>
         <message>
@@ -13580,15 +13580,15 @@ With another name both versions stay as they are.</source>
             <translation>Основное время</translation>
         </message>
         <message>
-            <source>Against the time of your cycle: the current one, or the one that a cycle found took the place of</source>
+            <source>Compared with the time of your cycle: the current one, or the one that a found cycle replaced</source>
             <translation>По сравнению с временем вашего цикла: текущего или того, который заменил найденный</translation>
         </message>
         <message>
-            <source>By how much a stepless cycle might at most be quicker</source>
+            <source>Maximum time by which a stepless cycle might be quicker</source>
             <translation>На сколько, самое большее, может быть быстрее бесступенчатый цикл</translation>
         </message>
         <message>
-            <source>The minimum margin of all requirements, of its limit</source>
+            <source>The minimum margin of all requirements, relative to its limit</source>
             <translation>Наименьший запас из всех требований, в долях предела</translation>
         </message>
         <message>
@@ -13620,11 +13620,11 @@ With another name both versions stay as they are.</source>
             <translation>Самый дешёвый для своего числа ступеней</translation>
         </message>
         <message>
-            <source>The one of the grid that keeps the wheel longest</source>
+            <source>The cycle of the grid with the longest wheel life</source>
             <translation>Тот из сетки, с которым круг работает дольше всего</translation>
         </message>
         <message>
-            <source>The one of its number of stages that keeps the wheel longest</source>
+            <source>The cycle of its number of stages with the longest wheel life</source>
             <translation>Для своего числа ступеней — тот, с которым круг работает дольше всего</translation>
         </message>
         <message>
@@ -13636,7 +13636,7 @@ With another name both versions stay as they are.</source>
             <translation>Стоимость</translation>
         </message>
         <message>
-            <source>Parts from one dressing to the next that it is fit for</source>
+            <source>Parts from one dressing to the next for which it is fit</source>
             <translation>Для скольких деталей от правки до правки он годен</translation>
         </message>
         <message>
@@ -13714,7 +13714,7 @@ yours, %</source>
             <translation>быстрее нет, доказано (%1)</translation>
         </message>
         <message>
-            <source>how the wheel wears is not given</source>
+            <source>the wear of the wheel is not given</source>
             <translation>износ круга не задан</translation>
         </message>
         <message>
@@ -13722,7 +13722,7 @@ yours, %</source>
             <translation>в среднем %1 на деталь</translation>
         </message>
         <message>
-            <source>the next part breaks: %1</source>
+            <source>the next part does not meet: %1</source>
             <translation>следующая деталь нарушит: %1</translation>
         </message>
         <message>
@@ -13766,11 +13766,11 @@ yours, %</source>
             <translation>без непрерывной подачи</translation>
         </message>
         <message>
-            <source>the wheel head may draw back</source>
+            <source>the wheel head may retract</source>
             <translation>с отводом шлифовальной бабки</translation>
         </message>
         <message>
-            <source>the wheel head never draws back</source>
+            <source>the wheel head never retracts</source>
             <translation>без отвода шлифовальной бабки</translation>
         </message>
         <message>
@@ -13802,8 +13802,8 @@ yours, %</source>
             <translation>Ваш цикл</translation>
         </message>
         <message>
-            <source>Nominal part alone</source>
-            <translation>Номинальная деталь</translation>
+            <source>Nominal part only</source>
+            <translation>Только номинальная деталь</translation>
         </message>
         <message>
             <source>robustness costs %1 % of time</source>
@@ -13814,8 +13814,8 @@ yours, %</source>
             <translation>Между уровнями</translation>
         </message>
         <message>
-            <source>that none is quicker is not proved</source>
-            <translation>что быстрее нет, не доказано</translation>
+            <source>not proved to be the quickest</source>
+            <translation>не доказано, что самый быстрый</translation>
         </message>
         <message>
             <source>nothing quicker was found</source>
@@ -13934,8 +13934,8 @@ parts, ≤ %</source>
             <translation>%1, оборот %2</translation>
         </message>
         <message>
-            <source>Where the cycle stands: %1, k = %2</source>
-            <translation>Где стоит цикл: %1, k = %2</translation>
+            <source>Current moment of the cycle: %1, k = %2</source>
+            <translation>Текущий момент цикла: %1, k = %2</translation>
         </message>
         <message>
             <source>The deepest cut of a stage: %1, k = %2</source>
@@ -13946,7 +13946,7 @@ parts, ≤ %</source>
             <translation>Наибольшая подача цикла: %1, k = %2</translation>
         </message>
         <message>
-            <source>&amp;What is printed:</source>
+            <source>&amp;Contents:</source>
             <translation>&amp;Что печатается:</translation>
         </message>
         <message>
@@ -13958,7 +13958,7 @@ parts, ≤ %</source>
             <translation>Раздаточный материал с результатами</translation>
         </message>
         <message>
-            <source>Worksheet: results are left to write</source>
+            <source>Worksheet: results are left empty</source>
             <translation>Рабочий лист: результаты впишет студент</translation>
         </message>
         <message>
@@ -14094,7 +14094,7 @@ parts, ≤ %</source>
             <translation>По двойной ход или оборот</translation>
         </message>
         <message>
-            <source>%1, taken off, µm</source>
+            <source>%1, removed, µm</source>
             <translation>%1, снято, мкм</translation>
         </message>
         <message>
@@ -14184,8 +14184,8 @@ parts, ≤ %</source>
             <translation>Состояние слоёв</translation>
         </message>
         <message>
-            <source>How much has come off</source>
-            <translation>Сколько снято</translation>
+            <source>Accumulated removal</source>
+            <translation>Накопленный съём</translation>
         </message>
         <message>
             <source>Values under the mouse</source>
@@ -14705,7 +14705,7 @@ target, µm</source>
             <translation>Заполнить по маркировке</translation>
         </message>
         <message>
-            <source>Take grain, grain share and sizes as far as the marking gives them</source>
+            <source>Sets grain, grain share and sizes as far as the marking states them</source>
             <translation>Задать зерно, долю зерна и размеры по маркировке</translation>
         </message>
     </context>
@@ -14755,8 +14755,8 @@ target, µm</source>
             <translation>Согласовать припуски ступеней</translation>
         </message>
         <message>
-            <source>The first stage takes what the later ones leave; where they leave nothing, all keep their share</source>
-            <translation>Первая ступень снимает остаток от последующих; если остатка нет, все ступени сохраняют свои доли</translation>
+            <source>The first stage takes the stock that the later ones leave; if they leave none, all keep their share</source>
+            <translation>Первая ступень снимает припуск, оставшийся от последующих; если его не остаётся, все ступени сохраняют свои доли</translation>
         </message>
     </context>
     <context>
@@ -14858,11 +14858,11 @@ target, µm</source>
             <translation>второе значение меньше первого</translation>
         </message>
         <message>
-            <source>%1: allowed is %2</source>
-            <translation>%1: допускается %2</translation>
+            <source>%1; allowed: %2</source>
+            <translation>%1; допускается: %2</translation>
         </message>
         <message>
-            <source>the other inputs do not go with these values</source>
+            <source>these values contradict the other inputs</source>
             <translation>остальные данные не сочетаются с этими значениями</translation>
         </message>
     </context>
@@ -14905,7 +14905,7 @@ target, µm</source>
             <translation>По ступеням вала, сплошная сталь 7850 кг/м³: около %1 кг. Оценка.</translation>
         </message>
         <message>
-            <source>Take the estimate</source>
+            <source>Apply the estimate</source>
             <translation>Применить оценку</translation>
         </message>
         <message>
@@ -14913,7 +14913,7 @@ target, µm</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
-            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock</source>
+            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is fit for the batch, or without one for every stock</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков</translation>
         </message>
         <message>
@@ -14925,11 +14925,11 @@ target, µm</source>
             <translation>Измерено по зонам или сечениям, среднее в мкм: отклонение от круглости и радиальное биение %1. Число граней не измерялось.</translation>
         </message>
         <message>
-            <source>Take it as the machine&apos;s form</source>
+            <source>Apply it as the machine&apos;s form</source>
             <translation>Задать форму от станка</translation>
         </message>
         <message>
-            <source>In a cycle with spark-out, the form left by the process itself is small beside it; the number of lobes must be entered</source>
+            <source>In a cycle with spark-out, the form left by the process itself is small in comparison; the number of lobes must be entered</source>
             <translation>После выхаживания вклад самого процесса рядом с ней мал; число граней нужно задать</translation>
         </message>
     </context>
@@ -14956,11 +14956,11 @@ target, µm</source>
             <translation>Наведите указатель на число ступеней, чтобы прочитать время.</translation>
         </message>
         <message>
-            <source>The inputs are refused; the search is that of the last accepted ones.</source>
+            <source>The inputs are refused; the search is that of the last valid inputs.</source>
             <translation>Данные не приняты; поиск — по последним верным.</translation>
         </message>
         <message>
-            <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that meets every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
+            <source>This project defines no search. A search tries every listed feed and stock of the stages and finds the quickest cycle that meets every requirement. Choose them on the page Search of the inputs, or start with typical ones.</source>
             <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с типовых.</translation>
         </message>
         <message>
@@ -15028,7 +15028,7 @@ target, µm</source>
             <translation>Остановить</translation>
         </message>
         <message>
-            <source>End the search; the best so far is kept and shown</source>
+            <source>Stop the search; the best so far is kept and shown</source>
             <translation>Закончить поиск; лучший найденный цикл сохраняется и показывается</translation>
         </message>
         <message>
@@ -15036,7 +15036,7 @@ target, µm</source>
             <translation>Применить этот цикл</translation>
         </message>
         <message>
-            <source>Put the chosen cycle in the place of the current one; undo brings yours back</source>
+            <source>Replaces the current cycle with the chosen one; undo restores yours</source>
             <translation>Поставить выбранный цикл на место текущего; отмена вернёт ваш</translation>
         </message>
         <message>
@@ -15044,7 +15044,7 @@ target, µm</source>
             <translation>Для всех припусков</translation>
         </message>
         <message>
-            <source>The cycle must be fit for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
+            <source>The cycle must also be fit for stocks spread over one feed step of every stage: the size depends on the position of the last step</source>
             <translation>Цикл должен быть годен для всех припусков в пределах подачи на шаг каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>
@@ -15056,11 +15056,11 @@ target, µm</source>
             <translation>Между уровнями</translation>
         </message>
         <message>
-            <source>Go on from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but that none is quicker is not proved</source>
+            <source>Continue from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but the result is not proved to be the quickest</source>
             <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
         </message>
         <message>
-            <source>The inputs are refused; the grid is that of the last accepted ones.</source>
+            <source>The inputs are refused; the grid is that of the last valid inputs.</source>
             <translation>Исходные данные не приняты; сетка — по последним верным.</translation>
         </message>
         <message>
@@ -15080,7 +15080,7 @@ target, µm</source>
             <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
         </message>
         <message>
-            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is good for the batch, without one for every stock; can be undone and changed on the pages Search and Cycle</source>
+            <source>Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, and the usual minimum overlap and steps of a stage where none are given; the answer is fit for the batch, or without one for every stock; can be undone and changed on the pages Search and Cycle</source>
             <translation>Уровни каждой подачи около текущего цикла с шагом станка, припуски, выхаживание и, если не заданы, обычные наименьшие коэффициент перекрытия и число шагов ступени; ответ годен для партии, без неё — для всех припусков; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
@@ -15100,7 +15100,7 @@ target, µm</source>
             <translation>Продолжить поиск с места остановки; ответ тот же, что и у поиска без остановки</translation>
         </message>
         <message>
-            <source>The answer and what it is compared with</source>
+            <source>The answer and the compared cycles</source>
             <translation>Ответ и с чем он сравнивается</translation>
         </message>
     </context>
@@ -15259,7 +15259,7 @@ target, µm</source>
             <translation>На шаг назад</translation>
         </message>
         <message>
-            <source>One step on</source>
+            <source>One step forward</source>
             <translation>На шаг вперёд</translation>
         </message>
         <message>
@@ -15390,7 +15390,7 @@ target, µm</source>
             <translation>Экспорт</translation>
         </message>
         <message>
-            <source>Copy or save what the plot shows</source>
+            <source>Copy or save the contents of the plot</source>
             <translation>Скопировать или сохранить то, что на графике</translation>
         </message>
         <message>
@@ -15473,7 +15473,7 @@ target, µm</source>
             <translation>Измерено</translation>
         </message>
         <message>
-            <source>no circle is held</source>
+            <source>the circle does not exist</source>
             <translation>окружность не определена</translation>
         </message>
         <message>
@@ -15556,7 +15556,7 @@ target, µm</source>
             <translation>Что показано</translation>
         </message>
         <message>
-            <source>Zone or section to look at</source>
+            <source>Zone or section to show</source>
             <translation>Рассматриваемая зона или сечение</translation>
         </message>
         <message>
@@ -15568,7 +15568,7 @@ target, µm</source>
             <translation>Увеличение отклонений, одно для всех; ×1 — истинная форма</translation>
         </message>
         <message>
-            <source>Radius the deviations are counted from: the target shows size and form, the own mean shows form alone</source>
+            <source>Radius from which deviations are measured: the target shows size and form, the own mean shows only form</source>
             <translation>От какого радиуса отсчитаны отклонения: от целевого — видны размер и форма, от своего среднего — только форма</translation>
         </message>
         <message>
@@ -15588,7 +15588,7 @@ target, µm</source>
             <translation>Вдоль оси: отклонения радиусов от целевого или диаметров от номинала</translation>
         </message>
         <message>
-            <source>The part along its axis with nothing exaggerated</source>
+            <source>The part along its axis without exaggeration</source>
             <translation>Деталь вдоль оси без увеличения отклонений</translation>
         </message>
         <message>
@@ -15903,7 +15903,7 @@ target, µm</source>
             <translation>&amp;Позже</translation>
         </message>
         <message>
-            <source>Work that was not saved was found. Recovering opens it here, still unsaved; your own files are not touched.</source>
+            <source>Work that was not saved was found. Recovering opens it here, still unsaved; your own files stay unchanged.</source>
             <translation>Найдена несохранённая работа. Восстановленный проект откроется здесь и останется несохранённым; ваши файлы не изменятся.</translation>
         </message>
         <message>
@@ -15926,7 +15926,7 @@ target, µm</source>
             <translation>Нет отчёта</translation>
         </message>
         <message>
-            <source>There is no result of these inputs, so there is nothing to report. The messages say what is wrong with them.</source>
+            <source>There is no result of these inputs, so there is nothing to report. The messages list the faults.</source>
             <translation>По этим данным результата нет, поэтому отчёт составить не из чего. Что в них не так, сказано в сообщениях.</translation>
         </message>
         <message>
@@ -16002,7 +16002,7 @@ target, µm</source>
             <translation>Расчёт не запомнен: исходные данные не приняты, поэтому его нет.</translation>
         </message>
         <message numerus="yes">
-            <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
+            <source>%n kept runs give other results with this version of the program: %1.</source>
             <translation>
                 <numerusform>В этой версии программы %n запомненный расчёт получается иначе, чем был запомнен: %1.</numerusform>
                 <numerusform>В этой версии программы %n запомненных расчёта получаются иначе, чем были запомнены: %1.</numerusform>
@@ -16010,7 +16010,7 @@ target, µm</source>
             </translation>
         </message>
         <message>
-            <source>Show what differs</source>
+            <source>Show the differences</source>
             <translation>Показать различия</translation>
         </message>
         <message>
@@ -16053,12 +16053,12 @@ target, µm</source>
             <translation>считается…</translation>
         </message>
         <message>
-            <source>refused now</source>
+            <source>refused by this version</source>
             <translation>теперь отклонён</translation>
         </message>
         <message>
-            <source>differs now</source>
-            <translation>теперь иначе</translation>
+            <source>results differ</source>
+            <translation>результаты отличаются</translation>
         </message>
         <message>
             <source>Current run, always drawn</source>
@@ -16204,7 +16204,7 @@ target, µm</source>
     <context>
         <name>sparkout::ShopSection</name>
         <message>
-            <source>Grinding figures by stage</source>
+            <source>Grinding quantities by stage</source>
             <translation>Показатели шлифования по ступеням</translation>
         </message>
         <message>
@@ -16219,7 +16219,7 @@ target, µm</source>
             <translation>круг</translation>
         </message>
         <message>
-            <source>surface, given way</source>
+            <source>surface under load</source>
             <translation>поверхность под нагрузкой</translation>
         </message>
         <message>
@@ -16459,11 +16459,11 @@ target, µm</source>
             <translation>%1 B</translation>
         </message>
         <message>
-            <source>It may be typed as 12 mm/rev or 0.3B, too.</source>
+            <source>12 mm/rev or 0.3B may also be typed.</source>
             <translation>Можно ввести и так: 12 мм/об или 0,3B.</translation>
         </message>
         <message>
-            <source>It may be typed as 0.005 mm/rev, too.</source>
+            <source>0.005 mm/rev may also be typed.</source>
             <translation>Можно ввести и так: 0,005 мм/об.</translation>
         </message>
     </context>
@@ -16474,7 +16474,7 @@ target, µm</source>
             <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
-            <source>The wheel is fed all the time while the table travels; each stage has a column for it.</source>
+            <source>The wheel is fed continuously while the table travels; each stage has a column for it.</source>
             <translation>Круг подаётся всё время движения стола; у каждой ступени для этого есть столбец.</translation>
         </message>
         <message>
@@ -16518,7 +16518,7 @@ target, µm</source>
             <translation>Исходный цикл</translation>
         </message>
         <message>
-            <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin with for this part, wheel and machine; an estimate</source>
+            <source>Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would first set them for this part, wheel and machine; an estimate</source>
             <translation>Частота вращения заготовки, подачи, припуски, выхаживание, перебеги и выстой, с которых начал бы цех для этой детали, круга и станка; оценка</translation>
         </message>
         <message>
@@ -16542,7 +16542,7 @@ target, µm</source>
             <translation>Черновую глубину резания, %1, ограничивает %2; обычная — %3.</translation>
         </message>
         <message>
-            <source>Edited: the cycle no longer follows the drawing. “%1” makes it anew.</source>
+            <source>Edited: the cycle no longer follows the drawing. “%1” creates a new one.</source>
             <translation>Изменено: цикл больше не меняется вместе с чертежом. «%1» строит его заново.</translation>
         </message>
         <message>
@@ -16630,7 +16630,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop the run; the results so far are kept</source>
-            <translation>Прервать расчёт; рассчитанное раньше остаётся</translation>
+            <translation>Остановить расчёт; рассчитанное сохраняется</translation>
         </message>
         <message>
             <source>Result</source>
@@ -16684,7 +16684,7 @@ target, µm</source>
             <translation>поле допуска</translation>
         </message>
         <message>
-            <source>stocks that fail</source>
+            <source>unfit stocks</source>
             <translation>негодные припуски</translation>
         </message>
         <message>
@@ -16872,7 +16872,7 @@ target, µm</source>
             <translation>Исходные данные не приняты; варьирование — по последним верным.</translation>
         </message>
         <message>
-            <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
+            <source>What is the effect of a dull wheel, a soft tailstock, a longer dwell? Choose an input above to see every result over its range: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
             <translation>Что даёт затупленный круг, податливая задняя бабка, более долгий выстой? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
         <message>
@@ -16944,7 +16944,7 @@ target, µm</source>
             <translation>Выбранная точка</translation>
         </message>
         <message>
-            <source>The point whose values can be taken; a click in the plot chooses one, too</source>
+            <source>The point whose values can be applied; a click in the plot chooses one, too</source>
             <translation>Точка, значения которой можно применить; её выбирает и щелчок по графику</translation>
         </message>
         <message>
@@ -16972,7 +16972,7 @@ target, µm</source>
             <translation>Варьирование затупления круга от половины до двойного значения; можно отменить</translation>
         </message>
         <message>
-            <source>Take these values</source>
+            <source>Apply these values</source>
             <translation>Применить эти значения</translation>
         </message>
         <message>
@@ -17475,7 +17475,7 @@ target, µm</source>
             <translation>У него свои ступени, частота вращения заготовки, перебеги и выстои.</translation>
         </message>
         <message>
-            <source>, {bad} of {parts} bad</source>
+            <source>, {bad} of {parts} rejected</source>
             <translation>, брак {bad} из {parts}</translation>
         </message>
         <message>
@@ -17605,7 +17605,7 @@ target, µm</source>
             <translation>Поля с непринятым текстом</translation>
         </message>
         <message>
-            <source>What the table is of</source>
+            <source>Scope of the table</source>
             <translation>К чему относится таблица</translation>
         </message>
         <message>
@@ -17671,11 +17671,11 @@ target, µm</source>
     <context>
         <name>sparkout::ViewTabs</name>
         <message>
-            <source>&amp;Detach into a window of its own</source>
+            <source>&amp;Detach into a separate window</source>
             <translation>&amp;Отделить в своё окно</translation>
         </message>
         <message>
-            <source>Detach the view into a window of its own (also: double click on its tab). It comes back when the window is closed.</source>
+            <source>Detach the view into a separate window (also: double click on its tab). It returns when the window is closed.</source>
             <translation>Отделить вид в своё окно (или двойным щелчком по его вкладке). Он вернётся, когда окно закроют.</translation>
         </message>
         <message>
@@ -18208,7 +18208,7 @@ mm/min</source>
             <translation>Снятый припуск по ступеням и этапам</translation>
         </message>
         <message>
-            <source>Make-up of the diameter deviations</source>
+            <source>Components of the diameter deviations</source>
             <translation>Из чего складываются отклонения диаметра</translation>
         </message>
         <message>
@@ -18244,7 +18244,7 @@ mm/min</source>
             <translation>Цикл слишком длинный для записи по этапам.</translation>
         </message>
         <message>
-            <source>%1 of %2 stages: those that take the longest.</source>
+            <source>%1 of %2 stages: the longest ones.</source>
             <translation>Ступени: %1 из %2 — самые продолжительные.</translation>
         </message>
         <message>
@@ -18395,7 +18395,7 @@ good</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
-            <source>Margin: that of the requirement nearest to its limit of those that are decided, below 0 where one fails.</source>
+            <source>Margin of the decided requirement nearest to its limit; below 0 if one is not met.</source>
             <translation>Запас — у ближайшего к пределу из определённых требований; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
@@ -18464,7 +18464,7 @@ good</source>
     <context>
         <name>ListPaste</name>
         <message>
-            <source>there are no rows below the heads</source>
+            <source>there are no rows below the headings</source>
             <translation>под заголовками нет строк</translation>
         </message>
         <message numerus="yes">
@@ -18580,7 +18580,7 @@ good</source>
     <context>
         <name>sparkout::StiffnessOffer</name>
         <message>
-            <source>Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements that fail %4.</source>
+            <source>Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements not met %4.</source>
             <translation>Её влияние: γ %1 нм/Н; основное время %2; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
@@ -18596,7 +18596,7 @@ good</source>
             <translation>Влияние жёсткости</translation>
         </message>
         <message>
-            <source>Without it the stiffness of the project stays as it is; the other values of the machine are taken.</source>
+            <source>Without it the stiffness of the project stays as it is; the other values of the machine are applied.</source>
             <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка применяются.</translation>
         </message>
         <message>
@@ -18631,11 +18631,11 @@ good</source>
             </translation>
         </message>
         <message>
-            <source>Usual inputs alone</source>
+            <source>Usual inputs only</source>
             <translation>Только обычные данные</translation>
         </message>
         <message>
-            <source>Besides the usual inputs, those are shown that are calibrated, refused or warned about, or that differ from both the default and the catalogue</source>
+            <source>Besides the usual inputs, calibrated, refused and doubtful ones are shown, and those that differ from both the default and the catalogue</source>
             <translation>Кроме обычных данных показаны откалиброванные, непринятые, с предупреждением и те, что отличаются от значений по умолчанию и от каталога</translation>
         </message>
     </context>
@@ -18726,7 +18726,7 @@ good</source>
             <translation>допустимых нет</translation>
         </message>
         <message>
-            <source>%1 of %2 bad</source>
+            <source>%1 of %2 rejected</source>
             <translation>не годны %1 из %2</translation>
         </message>
         <message>
@@ -18797,7 +18797,7 @@ good</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
-            <source>Margin: that of the requirement nearest to its limit of those that are decided, below 0 where one fails.</source>
+            <source>Margin of the decided requirement nearest to its limit; below 0 if one is not met.</source>
             <translation>Запас — у ближайшего к пределу из определённых требований; ниже 0, если требование не выполнено.</translation>
         </message>
         <message>
@@ -18836,7 +18836,7 @@ good</source>
             <translation>&amp;Оптимизировать все</translation>
         </message>
         <message>
-            <source>Searches the quickest cycle of every surface in the order of grinding, as ticked in the view Optimise; a surface without a search gets a typical one</source>
+            <source>Finds the quickest cycle of every surface in the order of grinding, as ticked in the view Optimise; a surface without a search gets a typical one</source>
             <translation>Ищет быстрейший цикл каждой поверхности в порядке шлифования с отмеченными в виде «Оптимизация» условиями; поверхность без поиска получает типовой</translation>
         </message>
         <message>
@@ -18935,7 +18935,7 @@ good</source>
             <translation>Там же, где «%1»</translation>
         </message>
         <message>
-            <source>Each surface has a name of its own.</source>
+            <source>Each surface needs its own name.</source>
             <translation>У каждой поверхности своё название.</translation>
         </message>
         <message>
@@ -18993,7 +18993,7 @@ good</source>
             <translation>&amp;Переименовать</translation>
         </message>
         <message>
-            <source>Each surface has a name of its own.</source>
+            <source>Each surface needs its own name.</source>
             <translation>У каждой поверхности своё название.</translation>
         </message>
     </context>
@@ -19126,11 +19126,11 @@ good</source>
             <translation>прогиб пропорционален нагрузке</translation>
         </message>
         <message>
-            <source>there is play, and the stiffness is that beyond it: take the play out before loading</source>
+            <source>there is play, and the stiffness is that beyond it: remove the play before loading</source>
             <translation>есть зазор, и указана жёсткость после его выбора: выберите зазор перед нагружением</translation>
         </message>
         <message>
-            <source>the stiffness changes with the load, and what was found is a mean: load as the deepest cut does</source>
+            <source>the stiffness changes with the load, and the result is a mean: load as the deepest cut does</source>
             <translation>жёсткость меняется с нагрузкой, и найденная — средняя: нагружайте так, как самый глубокий проход</translation>
         </message>
         <message>
@@ -19319,7 +19319,7 @@ good</source>
             <translation>%1: %2</translation>
         </message>
         <message>
-            <source>%1: a mean known before needs its standard deviation, and the other way round.</source>
+            <source>%1: a mean known before needs its standard deviation, and vice versa.</source>
             <translation>%1: среднему, известному заранее, нужно стандартное отклонение, и наоборот.</translation>
         </message>
     </context>
@@ -19342,7 +19342,7 @@ good</source>
             <translation>Остатки на графике</translation>
         </message>
         <message>
-            <source>Measured less predicted</source>
+            <source>Measured minus predicted</source>
             <translation>Измерено минус расчёт</translation>
         </message>
         <message>
@@ -19470,7 +19470,7 @@ good</source>
             <translation>Снимает отметки с неопределимых параметров</translation>
         </message>
         <message>
-            <source>Gives the inputs the values found, as one edit that can be undone, and marks them as calibrated</source>
+            <source>Applies the values found to the inputs, as one edit that can be undone, and marks them as calibrated</source>
             <translation>Заносит найденные значения в исходные данные одной правкой, которую можно отменить, и отмечает их как откалиброванные</translation>
         </message>
         <message>
@@ -19498,7 +19498,7 @@ good</source>
             <translation>Эти значения применить нельзя. %1. %2</translation>
         </message>
         <message>
-            <source>These values cannot be applied: what was left out distorts them. Fit it too.</source>
+            <source>These values cannot be applied: an omitted parameter distorts them. Fit it too.</source>
             <translation>Эти значения применить нельзя: их искажает то, что не учтено. Определите и это.</translation>
         </message>
         <message>
@@ -19514,7 +19514,7 @@ good</source>
             <translation>Определить и &amp;это</translation>
         </message>
         <message>
-            <source>Checks what was left out, and fits again</source>
+            <source>Checks the omitted parameters, and fits again</source>
             <translation>Отмечает то, что не учтено, и подбирает заново</translation>
         </message>
         <message>
@@ -19541,7 +19541,7 @@ good</source>
             <translation>Ra не измерено, или цикл не доходит до размера. Измеренное Ra попадает в проект вместе с деталями: «Импорт измерений…»</translation>
         </message>
         <message>
-            <source>Factor of Ra: %1, now %2 (n = %3).</source>
+            <source>Factor of Ra: %1, current %2 (n = %3).</source>
             <translation>Поправка Ra: %1, сейчас %2 (n = %3).</translation>
         </message>
         <message>
@@ -19549,11 +19549,11 @@ good</source>
             <translation>Интервал 95 %: %1.</translation>
         </message>
         <message>
-            <source>It holds for this wheel and its dressing: %1</source>
+            <source>It applies to this wheel and its dressing: %1</source>
             <translation>Она действует для этого круга и его правки: %1</translation>
         </message>
         <message>
-            <source>It holds for this wheel and its dressing.</source>
+            <source>It applies to this wheel and its dressing.</source>
             <translation>Она действует для этого круга и его правки.</translation>
         </message>
         <message numerus="yes">
@@ -19632,11 +19632,11 @@ good</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>There is nothing yet that the cycle could be fitted to: no recorded trace, no diameters of finished parts.
+            <source>The project has no data to fit the cycle to: no recorded trace, no diameters of finished parts.
 
 Import measurements… reads them from tables: the size at the gauge, the power of the wheel, the current of its spindle or the normal force over the time of one cycle, or the diameters of finished parts by zone or section.
 
-The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
+The size alone determines α and β, that is the compliance together with the force; the power adds its two shares; with the normal force compliance, flow stress and dullness are determined separately.</source>
             <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров готовых деталей.
 
 Команда «Импорт измерений…» читает их из таблиц: размер по прибору активного контроля, мощность привода круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
@@ -19686,7 +19686,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>расчёт</translation>
         </message>
         <message>
-            <source>measured less simulated</source>
+            <source>measured minus simulated</source>
             <translation>измерено минус расчёт</translation>
         </message>
         <message>
@@ -19977,7 +19977,7 @@ The size alone gives α and β, that is the compliance with the force together; 
     <context>
         <name>PassportMeasured</name>
         <message numerus="yes">
-            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part(s) of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</source>
+            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that contains 95 % of %n part(s) of the batch; F: the ratio of the variance of the measured parts to the predicted one, with the limits that it stays within by chance; inside: measured parts within the predicted range.</source>
             <translation>
                 <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n детали партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
                 <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n деталей партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
@@ -20047,7 +20047,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>as the table says</source>
+            <source>as stated in the table</source>
             <translation>как в таблице</translation>
         </message>
         <message>
@@ -20128,11 +20128,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>&amp;Пропустить непринятые ячейки и импортировать остальное</translation>
         </message>
         <message>
-            <source>&amp;Add to what is measured</source>
+            <source>&amp;Add to the measurements</source>
             <translation>&amp;Добавить к измеренному</translation>
         </message>
         <message>
-            <source>&amp;Replace what is measured</source>
+            <source>&amp;Replace the measurements</source>
             <translation>&amp;Заменить измеренное</translation>
         </message>
         <message>
@@ -20367,7 +20367,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Расчёт партии для прогноза займёт время: нажмите «Рассчитать». Его можно остановить в любой момент.</translation>
         </message>
         <message>
-            <source>This project describes no batch, so the prediction is one part without scatter. Choose on the page Batch of the inputs what scatters.</source>
+            <source>This project describes no batch, so the prediction is one part without scatter. Choose the scattering factors on the page Batch of the inputs.</source>
             <translation>Партия в проекте не описана, поэтому прогноз — одна деталь без рассеяния. Выберите на странице «Партия», что рассеивается.</translation>
         </message>
         <message>
@@ -20471,7 +20471,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Калибровка…</translation>
         </message>
         <message>
-            <source>Fit compliance, force and wheel to what was measured</source>
+            <source>Fit compliance, force and wheel to the measurements</source>
             <translation>Подобрать податливость, силу и круг по измеренному</translation>
         </message>
     </context>
@@ -20632,11 +20632,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Введите отжатия или вставьте таблицу из места, нагрузки и отжатия: Ctrl+V</translation>
         </message>
         <message>
-            <source>Gives the machine the stiffness found, as one edit that can be undone, marks it as calibrated, and lets γ follow from it</source>
+            <source>Applies the stiffness found to the machine, as one edit that can be undone, and marks it as calibrated; γ then follows from it</source>
             <translation>Даёт станку найденные жёсткости одной правкой, которую можно отменить, отмечает их как откалиброванные, и γ вычисляется по ним</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct the faults in the messages.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
@@ -20708,7 +20708,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>95 %</translation>
         </message>
         <message>
-            <source>The trial is of an external surface and of a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending, which is computed, is taken off the readings.</source>
+            <source>The trial needs an external surface and a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending is computed and subtracted from the readings.</source>
             <translation>Опыт — для наружной поверхности и вала без люнетов, ступени которого заданы на странице «Деталь» исходных данных: его изгиб вычисляется и вычитается из показаний.</translation>
         </message>
         <message>
@@ -20752,7 +20752,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Ход расчёта</translation>
         </message>
         <message>
-            <source>Inputs of the project are missing or wrong: first correct what the messages name.</source>
+            <source>Inputs of the project are missing or wrong: first correct the faults in the messages.</source>
             <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
         </message>
         <message>
@@ -20768,7 +20768,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>не определяется</translation>
         </message>
         <message>
-            <source>Before the machine grinds a trial, this compares 24 of them: a third, one and three times the feed of the first stage, without and with a spark-out, by what is recorded. The best one narrows the chosen parameters down most.</source>
+            <source>Before the machine grinds a trial, this compares 24 of them: a third, one and three times the feed of the first stage, without and with a spark-out, by the recorded quantities. The best one narrows the chosen parameters down most.</source>
             <translation>Прежде чем шлифовать опытную деталь, здесь сравниваются 24 опыта: подача первой ступени, втрое меньше и втрое больше, без выхаживания и с ним, по тому, что записывается. Лучший опыт точнее всех определяет выбранные параметры.</translation>
         </message>
         <message>
@@ -20958,11 +20958,11 @@ s</source>
             <translation>Деталей между правками</translation>
         </message>
         <message>
-            <source>&amp;Each part holds for:</source>
+            <source>&amp;Each part must be fit for:</source>
             <translation>&amp;Каждая деталь годна для:</translation>
         </message>
         <message>
-            <source>the part as it stands</source>
+            <source>the part as stated</source>
             <translation>детали, как она задана</translation>
         </message>
         <message>
@@ -21171,7 +21171,7 @@ s</source>
             <translation>Фактическая подача</translation>
         </message>
         <message>
-            <source>Programmed less actual feed, accumulated</source>
+            <source>Programmed minus actual feed, accumulated</source>
             <translation>Отставание накопленной фактической подачи от программной</translation>
         </message>
         <message>
@@ -21215,7 +21215,7 @@ s</source>
             <translation>Наибольшая фактическая подача без прижога при оставшемся припуске</translation>
         </message>
         <message>
-            <source>Parts of the batch that are not good</source>
+            <source>Rejected parts of the batch</source>
             <translation>Доля негодных деталей партии</translation>
         </message>
         <message>
@@ -21274,7 +21274,7 @@ s</source>
             <translation>оценивает преподаватель</translation>
         </message>
         <message>
-            <source>inputs were changed that are not free</source>
+            <source>locked inputs were changed</source>
             <translation>изменены закрытые исходные данные</translation>
         </message>
         <message>
@@ -21286,8 +21286,138 @@ s</source>
             <translation>цикл не завершается сам</translation>
         </message>
         <message>
-            <source>the run has no such figure</source>
-            <translation>в расчёте нет такого показателя</translation>
+            <source>the run does not give this quantity</source>
+            <translation>расчёт не даёт этого показателя</translation>
+        </message>
+    </context>
+    <context>
+        <name>Goal</name>
+        <message>
+            <source>Every requirement must be met for every stock, with a margin of at least {margin} %.</source>
+            <translation>Требуется выполнить все требования для всех припусков с запасом не менее {margin} %.</translation>
+        </message>
+        <message>
+            <source>Every requirement must be met, with a margin of at least {margin} %.</source>
+            <translation>Требуется выполнить все требования с запасом не менее {margin} %.</translation>
+        </message>
+        <message>
+            <source>Every requirement must be met for every stock.</source>
+            <translation>Требуется выполнить все требования для всех припусков.</translation>
+        </message>
+        <message>
+            <source>Every requirement must be met.</source>
+            <translation>Требуется выполнить все требования.</translation>
+        </message>
+        <message>
+            <source>The cycle must take at most {time} min.</source>
+            <translation>Время цикла — не более {time} мин.</translation>
+        </message>
+        <message>
+            <source>The cycle must take at most {percent} % more than the best one.</source>
+            <translation>Время цикла — не более чем на {percent} % больше наименьшего возможного.</translation>
+        </message>
+        <message>
+            <source>Reach {quantity} = {value} ± {tolerance}.</source>
+            <translation>Требуется получить: {quantity} = {value} ± {tolerance}.</translation>
+        </message>
+        <message>
+            <source>Determine from the run: {quantity}.</source>
+            <translation>Определите по расчёту: {quantity}.</translation>
+        </message>
+        <message>
+            <source>Predict before the run: {quantity}.</source>
+            <translation>Предскажите до расчёта: {quantity}.</translation>
+        </message>
+        <message>
+            <source>Draw before the run: {quantity}.</source>
+            <translation>Нарисуйте до расчёта: {quantity}.</translation>
+        </message>
+        <message>
+            <source>Predict before the run the order by {quantity}, the largest first.</source>
+            <translation>Предскажите до расчёта порядок по убыванию: {quantity}.</translation>
+        </message>
+        <message>
+            <source>One or several answers are right.</source>
+            <translation>Верны один или несколько ответов.</translation>
+        </message>
+        <message>
+            <source>Answer in words; the teacher marks the answer.</source>
+            <translation>Ответьте словами; ответ проверит преподаватель.</translation>
+        </message>
+        <message>
+            <source>stage {number}</source>
+            <translation>ступень {number}</translation>
+        </message>
+        <message>
+            <source>double stroke {number}</source>
+            <translation>двойной ход {number}</translation>
+        </message>
+        <message>
+            <source>revolution {number}</source>
+            <translation>оборот {number}</translation>
+        </message>
+        <message>
+            <source>required {value} ± {tolerance}</source>
+            <translation>требуется {value} ± {tolerance}</translation>
+        </message>
+        <message>
+            <source>answer {value}</source>
+            <translation>ответ {value}</translation>
+        </message>
+        <message>
+            <source>result {value}</source>
+            <translation>результат {value}</translation>
+        </message>
+        <message>
+            <source>tolerance ± {value}</source>
+            <translation>допуск ± {value}</translation>
+        </message>
+        <message>
+            <source>minimum margin {margin} %</source>
+            <translation>наименьший запас {margin} %</translation>
+        </message>
+        <message>
+            <source>cycle time {time} min, limit {limit} min</source>
+            <translation>время цикла {time} мин, предел {limit} мин</translation>
+        </message>
+        <message>
+            <source>cycle time {time} min</source>
+            <translation>время цикла {time} мин</translation>
+        </message>
+        <message>
+            <source>within the tolerance at {share} % of the places, required {least} %</source>
+            <translation>в допуске {share} % точек, требуется {least} %</translation>
+        </message>
+        <message>
+            <source>unfit for {share} % of stocks</source>
+            <translation>не выполнено для {share} % припусков</translation>
+        </message>
+        <message>
+            <source>not met: {names}</source>
+            <translation>не выполнено: {names}</translation>
+        </message>
+    </context>
+    <context>
+        <name>GoalText</name>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Zone</source>
+            <translation>Зона</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Сечение</translation>
         </message>
     </context>
     <context>
@@ -21325,7 +21455,7 @@ s</source>
             <translation>предсказание после расчёта</translation>
         </message>
         <message>
-            <source>inputs changed that are not free</source>
+            <source>locked inputs changed</source>
             <translation>изменены закрытые исходные данные</translation>
         </message>
         <message>
@@ -21337,7 +21467,7 @@ s</source>
             <translation>проверка заняла слишком много времени: проверено не всё</translation>
         </message>
         <message>
-            <source>there is no name</source>
+            <source>the name is missing</source>
             <translation>нет имени</translation>
         </message>
         <message>
@@ -21368,7 +21498,7 @@ s</source>
             <translation>в проекте ошибки или его цикл не заканчивается</translation>
         </message>
         <message>
-            <source>the run has no figure that a step asks for</source>
+            <source>the run does not give a quantity that a step asks for</source>
             <translation>в расчёте нет показателя, о котором спрашивает шаг</translation>
         </message>
         <message>
@@ -21380,7 +21510,7 @@ s</source>
             <translation>ни один цикл сетки не выполняет задание</translation>
         </message>
         <message>
-            <source>the best answer changes inputs that are not free</source>
+            <source>the best answer changes locked inputs</source>
             <translation>лучший ответ меняет закрытые исходные данные</translation>
         </message>
         <message>
@@ -21388,11 +21518,11 @@ s</source>
             <translation>не найдено значение, дающее заданный показатель</translation>
         </message>
         <message>
-            <source>the best answer is too quick beside the lesson&apos;s</source>
+            <source>the best answer is too quick compared with the lesson&apos;s</source>
             <translation>лучший ответ слишком быстр по сравнению с исходной работой</translation>
         </message>
         <message>
-            <source>the best answer is too slow beside the lesson&apos;s</source>
+            <source>the best answer is too slow compared with the lesson&apos;s</source>
             <translation>лучший ответ слишком медленный по сравнению с исходной работой</translation>
         </message>
         <message>
@@ -21584,7 +21714,7 @@ s</source>
             <translation>Оставить ваше</translation>
         </message>
         <message>
-            <source>Do not take</source>
+            <source>Do not import</source>
             <translation>Не импортировать</translation>
         </message>
         <message>
@@ -21659,7 +21789,7 @@ s</source>
             <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
         </message>
         <message>
-            <source>There is a “%1” in the list already.</source>
+            <source>“%1” is already in the list.</source>
             <translation>«%1» уже есть в списке.</translation>
         </message>
         <message>
@@ -21671,7 +21801,7 @@ s</source>
             <translation>Лабораторные работы (*.sparkout-lesson)</translation>
         </message>
         <message>
-            <source>There is nothing of your own yet: no entry in the catalogues, no company and no laboratory work.</source>
+            <source>You have nothing to export yet: no entry in the catalogues, no company and no laboratory work.</source>
             <translation>Собственных данных пока нет: ни записей в каталогах, ни предприятия, ни лабораторных работ.</translation>
         </message>
         <message>
@@ -21679,7 +21809,7 @@ s</source>
             <translation>Ничего не выбрано.</translation>
         </message>
         <message>
-            <source>To go into the pack: %1.</source>
+            <source>To be exported: %1.</source>
             <translation>Войдёт в набор: %1.</translation>
         </message>
     </context>
@@ -21740,85 +21870,6 @@ s</source>
         </message>
     </context>
     <context>
-        <name>GoalWords</name>
-        <message>
-            <source>double stroke %1</source>
-            <translation>двойной ход %1</translation>
-        </message>
-        <message>
-            <source>revolution %1</source>
-            <translation>оборот %1</translation>
-        </message>
-        <message>
-            <source>stage %1</source>
-            <translation>ступень %1</translation>
-        </message>
-        <message>
-            <source>Double stroke</source>
-            <translation>Двойной ход</translation>
-        </message>
-        <message>
-            <source>Revolution</source>
-            <translation>Оборот</translation>
-        </message>
-        <message>
-            <source>Stage</source>
-            <translation>Ступень</translation>
-        </message>
-        <message>
-            <source>Zone or section</source>
-            <translation>Зона или сечение</translation>
-        </message>
-        <message>
-            <source>%1, with a margin of at least %2 %.</source>
-            <translation>%1 с запасом не менее %2 %.</translation>
-        </message>
-        <message>
-            <source>Every requirement must be met for every stock</source>
-            <translation>Требуется выполнить все требования для всех припусков</translation>
-        </message>
-        <message>
-            <source>Every requirement must be met</source>
-            <translation>Требуется выполнить все требования</translation>
-        </message>
-        <message>
-            <source>The cycle must take at most %1 min.</source>
-            <translation>Время цикла — не более %1 мин.</translation>
-        </message>
-        <message>
-            <source>The cycle must take at most %1 % more than the best one.</source>
-            <translation>Время цикла — не более чем на %1 % больше наименьшего возможного.</translation>
-        </message>
-        <message>
-            <source>The cycle must be quick.</source>
-            <translation>Требуется быстрый цикл.</translation>
-        </message>
-        <message>
-            <source>To be reached: %1 of %2 ± %3.</source>
-            <translation>Требуется получить: %1 %2 ± %3.</translation>
-        </message>
-        <message>
-            <source>To be predicted before the run: %1.</source>
-            <translation>Предскажите до расчёта: %1.</translation>
-        </message>
-        <message>
-            <source>To be drawn before the run: %1.</source>
-            <translation>Нарисуйте до расчёта: %1.</translation>
-        </message>
-        <message>
-            <source>To be predicted before the run: the order by %1, the largest first.</source>
-            <translation>Предскажите до расчёта порядок по убыванию: %1.</translation>
-        </message>
-        <message>
-            <source>One or several answers are right.</source>
-            <translation>Верны один или несколько ответов.</translation>
-        </message>
-        <message>
-            <source>The answer is in words; the teacher reads it.</source>
-            <translation>Ответ словами; его проверяет преподаватель.</translation>
-        </message>
-    </context>
-    <context>
         <name>StudentView</name>
         <message>
             <source>Symbol</source>
@@ -21848,7 +21899,7 @@ s</source>
             <translation>Рассчитано</translation>
         </message>
         <message>
-            <source>%1: what was predicted beside what the engine computes</source>
+            <source>%1: the prediction beside the engine&apos;s result</source>
             <translation>%1: предсказание и расчёт</translation>
         </message>
         <message>
@@ -21971,7 +22022,7 @@ s</source>
             <translation>Взято подсказок: %1.</translation>
         </message>
         <message>
-            <source>The prediction came after what it predicts.</source>
+            <source>The prediction was handed in after the run.</source>
             <translation>Предсказание сделано после расчёта.</translation>
         </message>
         <message>
@@ -22227,7 +22278,7 @@ s</source>
             <translation>Дата</translation>
         </message>
         <message>
-            <source>For the teacher alone. Numbers of formulas and questions are those of the worksheet.</source>
+            <source>For the teacher only. Numbers of formulas and questions are those of the worksheet.</source>
             <translation>Только для преподавателя. Номера формул и вопросов — как в рабочем листе.</translation>
         </message>
         <message>
@@ -22255,7 +22306,7 @@ s</source>
             <translation>Разбираемый шаг</translation>
         </message>
         <message>
-            <source>Every formula stands in symbols, then with the numbers that are given. Write what is missing: a number that an equation computes is put in where it stands in the next ones.</source>
+            <source>Every formula is printed in symbols, then with the given numbers. Fill in the missing ones: insert a computed number wherever it occurs in the next equations.</source>
             <translation>Каждая формула записана в обозначениях, затем с заданными числами. Впишите недостающее: число, найденное по одной формуле, подставляется в следующие.</translation>
         </message>
         <message>
@@ -22278,7 +22329,7 @@ s</source>
             <translation>Методические указания</translation>
         </message>
         <message>
-            <source>For the teacher alone: it has the answers.</source>
+            <source>For the teacher only: it contains the answers.</source>
             <translation>Только для преподавателя: содержат ответы.</translation>
         </message>
         <message>
@@ -22298,7 +22349,7 @@ s</source>
             <translation>Компьютер с программой %1 на каждого студента; сеть не нужна. Студент получает файл своего варианта и сдаёт его же; по нему печатается отчёт.</translation>
         </message>
         <message>
-            <source>Inputs of the lesson as it stands</source>
+            <source>Inputs of the original lesson</source>
             <translation>Исходные данные работы до вариантов</translation>
         </message>
         <message>
@@ -22306,7 +22357,7 @@ s</source>
             <translation>Отчёт</translation>
         </message>
         <message>
-            <source>The report has, in the order of GOST 7.32: title page, contents, introduction with the aim, data of the variant, theory in brief, results step by step with tables and figures, predictions beside results, kept runs compared, conclusion in the student&apos;s own words, sources.</source>
+            <source>The report contains, in the order of GOST 7.32: title page, contents, introduction with the aim, data of the variant, theory in brief, results step by step with tables and figures, predictions beside results, kept runs compared, conclusion in the student&apos;s own words, sources.</source>
             <translation>Отчёт содержит в порядке ГОСТ 7.32: титульный лист, содержание, введение с целью работы, исходные данные варианта, краткую теорию, результаты по шагам с таблицами и рисунками, предсказания рядом с результатами, сравнение запомненных расчётов, заключение словами студента, список источников.</translation>
         </message>
         <message>
@@ -22334,7 +22385,7 @@ s</source>
             <translation>Норма времени и баллы</translation>
         </message>
         <message>
-            <source>The work takes %1 min, the defence included.</source>
+            <source>The work takes %1 min, including the defence.</source>
             <translation>На работу отводится %1 мин, включая защиту.</translation>
         </message>
         <message>
@@ -22426,10 +22477,6 @@ s</source>
     <context>
         <name>sparkout::CurveAnswer</name>
         <message>
-            <source>%1, %2</source>
-            <translation>%1, %2</translation>
-        </message>
-        <message>
             <source>Click into the plot for each point, or type the values below it.</source>
             <translation>Поставьте точки щелчками на графике или введите значения под ним.</translation>
         </message>
@@ -22462,7 +22509,7 @@ s</source>
             <translation>Ваша кривая: %1</translation>
         </message>
         <message>
-            <source>Left and Right choose a place, Up and Down move its point, Del takes it away.</source>
+            <source>Left and Right choose a place, Up and Down move its point, Del removes it.</source>
             <translation>Стрелки влево и вправо выбирают место, вверх и вниз двигают точку, Del убирает её.</translation>
         </message>
     </context>
@@ -22513,11 +22560,11 @@ s</source>
             <translation>Составление варианта</translation>
         </message>
         <message>
-            <source>The lesson cannot be begun</source>
+            <source>The lesson cannot be started</source>
             <translation>Работу нельзя начать</translation>
         </message>
         <message>
-            <source>There is no such variant</source>
+            <source>This variant does not exist</source>
             <translation>Такого варианта нет</translation>
         </message>
         <message>
@@ -22643,106 +22690,6 @@ s</source>
     <context>
         <name>LessonText</name>
         <message>
-            <source>stage %1</source>
-            <translation>ступень %1</translation>
-        </message>
-        <message>
-            <source>double stroke %1</source>
-            <translation>двойной ход %1</translation>
-        </message>
-        <message>
-            <source>revolution %1</source>
-            <translation>оборот %1</translation>
-        </message>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>Double stroke</source>
-            <translation>Двойной ход</translation>
-        </message>
-        <message>
-            <source>Revolution</source>
-            <translation>Оборот</translation>
-        </message>
-        <message>
-            <source>Stage</source>
-            <translation>Ступень</translation>
-        </message>
-        <message>
-            <source>Zone</source>
-            <translation>Зона</translation>
-        </message>
-        <message>
-            <source>Section</source>
-            <translation>Сечение</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met, with a margin of at least %1 %.</source>
-            <translation>Требуется: выполнены все требования, запас не менее %1 %.</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met.</source>
-            <translation>Требуется: выполнены все требования.</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met for every stock, with a margin of at least %1 %.</source>
-            <translation>Требуется: все требования выполнены для всех припусков, запас не менее %1 %.</translation>
-        </message>
-        <message>
-            <source>To pass: every requirement is met for every stock.</source>
-            <translation>Требуется: все требования выполнены для всех припусков.</translation>
-        </message>
-        <message>
-            <source>To pass: cycle time at most %1 min, every requirement is met.</source>
-            <translation>Требуется: время цикла не более %1 мин, выполнены все требования.</translation>
-        </message>
-        <message>
-            <source>To pass: cycle time at most %1 min.</source>
-            <translation>Требуется: время цикла не более %1 мин.</translation>
-        </message>
-        <message>
-            <source>To pass: %1 = %2 ± %3.</source>
-            <translation>Требуется: %1 — %2 ± %3.</translation>
-        </message>
-        <message>
-            <source>minimum margin %1 %</source>
-            <translation>наименьший запас %1 %</translation>
-        </message>
-        <message>
-            <source>cycle time %1 min</source>
-            <translation>время цикла %1 мин</translation>
-        </message>
-        <message>
-            <source>it is %1</source>
-            <translation>получено %1</translation>
-        </message>
-        <message>
-            <source>tolerance ± %1</source>
-            <translation>допуск ± %1</translation>
-        </message>
-        <message>
-            <source>within the tolerance at %1 % of the places, asked %2 %</source>
-            <translation>в допуске %1 % точек, требуется %2 %</translation>
-        </message>
-        <message>
-            <source>unfit for %1 % of stocks</source>
-            <translation>не выполнено для %1 % припусков</translation>
-        </message>
-        <message>
-            <source>not met: %1</source>
-            <translation>не выполнено: %1</translation>
-        </message>
-        <message>
-            <source>%1.</source>
-            <translation>%1.</translation>
-        </message>
-        <message>
-            <source>%1: %2.</source>
-            <translation>%1: %2.</translation>
-        </message>
-        <message>
             <source>open</source>
             <translation>не выполнен</translation>
         </message>
@@ -22761,10 +22708,6 @@ s</source>
         <message>
             <source>handed in</source>
             <translation>сдан</translation>
-        </message>
-        <message>
-            <source>prediction %1, result %2</source>
-            <translation>прогноз %1, результат %2</translation>
         </message>
     </context>
     <context>
@@ -22865,11 +22808,11 @@ s</source>
             <translation>%1, строка %2: %3.</translation>
         </message>
         <message>
-            <source>There are more than %1 works; the first ones are taken.</source>
+            <source>There are more than %1 works; only the first ones are marked.</source>
             <translation>Работ больше %1; взяты первые.</translation>
         </message>
         <message>
-            <source>Not taken</source>
+            <source>Not accepted</source>
             <translation>Не принято</translation>
         </message>
         <message>
@@ -23002,7 +22945,7 @@ s</source>
             <translation>Ваш прогноз, от наибольшего</translation>
         </message>
         <message>
-            <source>The largest first: drag them, or move them by the buttons.</source>
+            <source>The largest first: drag them, or move them with the buttons.</source>
             <translation>От наибольшего к наименьшему: перетащите или переставьте кнопками.</translation>
         </message>
         <message>
@@ -23033,7 +22976,7 @@ s</source>
             <translation>Начать лабораторную работу</translation>
         </message>
         <message>
-            <source>In the next step you choose the file your work is kept in: you hand that file in. Every answer is saved in it at once.</source>
+            <source>Next you choose the file of your work; hand in that file. Every answer is saved in it at once.</source>
             <translation>Далее выберите файл, в котором хранится работа: его вы и сдаёте. Каждый ответ сразу сохраняется в нём.</translation>
         </message>
         <message>
@@ -23135,7 +23078,7 @@ s</source>
             <translation>по именованным наборам</translation>
         </message>
         <message>
-            <source>Variants in all: %1</source>
+            <source>Total variants: %1</source>
             <translation>Всего вариантов: %1</translation>
         </message>
         <message>
@@ -23143,7 +23086,7 @@ s</source>
             <translation>Уровней: %1</translation>
         </message>
         <message>
-            <source>the one in front</source>
+            <source>the current one</source>
             <translation>открытый</translation>
         </message>
     </context>
@@ -23267,7 +23210,7 @@ s</source>
             <translation>По об&amp;разцу…</translation>
         </message>
         <message>
-            <source>A new laboratory work after one that there is</source>
+            <source>A new laboratory work based on an existing one</source>
             <translation>Новая работа по образцу имеющейся</translation>
         </message>
         <message>
@@ -23291,7 +23234,7 @@ s</source>
             <translation>&amp;Отменить</translation>
         </message>
         <message>
-            <source>Take the last change back</source>
+            <source>Undo the last change</source>
             <translation>Отменить последнее изменение</translation>
         </message>
         <message>
@@ -23299,11 +23242,11 @@ s</source>
             <translation>&amp;Повторить</translation>
         </message>
         <message>
-            <source>Make the change again</source>
+            <source>Redo the change</source>
             <translation>Вернуть отменённое изменение</translation>
         </message>
         <message>
-            <source>Take the &amp;project</source>
+            <source>Use the &amp;project</source>
             <translation>&amp;Включить проект</translation>
         </message>
         <message>
@@ -23323,7 +23266,7 @@ s</source>
             <translation>&amp;Испытать</translation>
         </message>
         <message>
-            <source>Do the laboratory work in the window, from the step in front on</source>
+            <source>Do the laboratory work in the window, beginning with the current step</source>
             <translation>Выполнить работу в окне, как студент, с открытого шага</translation>
         </message>
         <message>
@@ -23331,32 +23274,32 @@ s</source>
             <translation>&amp;Добавить шаг</translation>
         </message>
         <message>
-            <source>A step after the one in front</source>
-            <translation>Шаг после открытого</translation>
+            <source>Adds a step after the current one</source>
+            <translation>Добавить шаг после текущего</translation>
         </message>
         <message>
             <source>Dup&amp;licate</source>
             <translation>Копирова&amp;ть</translation>
         </message>
         <message>
-            <source>The same step once more</source>
-            <translation>Такой же шаг ещё раз</translation>
+            <source>Duplicates the step</source>
+            <translation>Создать копию шага</translation>
         </message>
         <message>
             <source>Earl&amp;ier</source>
             <translation>Р&amp;аньше</translation>
         </message>
         <message>
-            <source>Before the step above</source>
-            <translation>Перед шагом, который выше</translation>
+            <source>Moves the step up</source>
+            <translation>Переместить шаг выше</translation>
         </message>
         <message>
             <source>Lat&amp;er</source>
             <translation>По&amp;зже</translation>
         </message>
         <message>
-            <source>After the step below</source>
-            <translation>После шага, который ниже</translation>
+            <source>Moves the step down</source>
+            <translation>Переместить шаг ниже</translation>
         </message>
         <message>
             <source>Re&amp;move</source>
@@ -23567,7 +23510,7 @@ s</source>
         <translation>Причина отказа</translation>
     </message>
     <message>
-        <source>Searching for the best answer of the work as it stands…</source>
+        <source>Searching for the best answer of the original work…</source>
         <translation>Ищется лучший ответ исходной работы…</translation>
     </message>
     <message>
@@ -23579,7 +23522,7 @@ s</source>
         <translation>Попыток: %1, вариантов: %2</translation>
     </message>
     <message>
-        <source>The work as it stands: best time %1 min, margin %2 %</source>
+        <source>The original work: best time %1 min, margin %2 %</source>
         <translation>Исходная работа: лучшее время %1 мин, запас %2 %</translation>
     </message>
     </context>
@@ -23594,11 +23537,11 @@ s</source>
             <translation>врезанием – {value} мм</translation>
         </message>
         <message>
-            <source>no wheel of the catalogue would do</source>
+            <source>no wheel of the catalogue fits</source>
             <translation>в каталоге нет подходящего круга</translation>
         </message>
         <message>
-            <source>widths of the catalogue's wheels that would do: {value}</source>
+            <source>widths of the catalogue&apos;s wheels that fit: {value}</source>
             <translation>подходящая ширина кругов каталога: {value}</translation>
         </message>
     </context>
@@ -23639,7 +23582,7 @@ s</source>
             <translation>%1 мм на ∅%2 мм: паз %3°, начиная с %4°.</translation>
         </message>
         <message>
-            <source>It is %1 mm long; the model has it along all %2 mm that are ground.</source>
+            <source>It is %1 mm long; in the model it extends over the whole ground length of %2 mm.</source>
             <translation>Длина паза %1 мм; в модели он идёт по всей шлифуемой длине %2 мм.</translation>
         </message>
         <message>

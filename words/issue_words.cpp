@@ -111,9 +111,8 @@ IssueWords wordsOf(IssueCode code) {
                                        "reads versions {limit}")};
     case IssueCode::severalSurfaces:
         return {"several_surfaces",
-                SPARKOUT_NOOP("Issue",
-                              "a file of version {value} holds several surfaces of a part; "
-                              "the window and sparkout-cli take it")};
+                SPARKOUT_NOOP("Issue", "a file of version {value} holds several surfaces of a "
+                                       "part; the window and sparkout-cli open it")};
     case IssueCode::duplicateKey:
         return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key appears here twice")};
     case IssueCode::unknownKey:
@@ -178,7 +177,7 @@ IssueWords wordsOf(IssueCode code) {
                                        "{value} of {limit}")};
     case IssueCode::feedUnused:
         return {"feed_unused",
-                SPARKOUT_NOOP("Issue", "a spark-out stage feeds nothing: {value} is not used")};
+                SPARKOUT_NOOP("Issue", "a spark-out stage has no feed: {value} is not used")};
     case IssueCode::feedMissing:
         return {"feed_missing",
                 SPARKOUT_NOOP("Issue", "{value} would never reach size; allowed: {limit}")};
@@ -188,8 +187,9 @@ IssueWords wordsOf(IssueCode code) {
                                        "{limit}; the first stage takes what the later ones leave")};
     case IssueCode::tooManyStages:
         return {"too_many_stages",
-                SPARKOUT_NOOP("Issue", "{value} stages need more gauge commands than there are; "
-                                       "allowed: {limit}")};
+                SPARKOUT_NOOP(
+                    "Issue",
+                    "{value} stages need more gauge commands than available; allowed: {limit}")};
     case IssueCode::notUsedHere:
         return {"not_used_here",
                 SPARKOUT_NOOP("Issue", "{value} is not used here; it applies to {limit}")};
@@ -199,9 +199,9 @@ IssueWords wordsOf(IssueCode code) {
                                        "computed for one with a threshold; allowed: {limit}")};
     case IssueCode::tooMuchGap:
         return {"too_much_gap",
-                SPARKOUT_NOOP("Issue", "the gaps leave too little of the surface: {value} radii "
-                                       "stand outside them; needed: {limit}, two of them opposite "
-                                       "each other")};
+                SPARKOUT_NOOP("Issue",
+                              "the gaps leave too little of the surface: {value} radii lie outside "
+                              "them; needed: {limit}, two of them opposite each other")};
     case IssueCode::gapBetweenRadii:
         return {"gap_between_radii",
                 SPARKOUT_NOOP("Issue", "a gap of {value} lies between two radii, which are {limit} "
@@ -216,12 +216,11 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::stripAtWall:
         return {"strip_at_wall",
                 SPARKOUT_NOOP("Issue", "the wheel turns {value} before the wall of the blind bore: "
-                                       "what it does not reach must be relieved")};
+                                       "the unreached length must be relieved")};
     case IssueCode::shoulderInTheWay:
         return {"shoulder_in_the_way",
-                SPARKOUT_NOOP("Issue",
-                              "an overrun of {value} takes the wheel into a shoulder of the "
-                              "shaft; allowed: {limit}")};
+                SPARKOUT_NOOP("Issue", "an overrun of {value} runs the wheel into a shoulder of "
+                                       "the shaft; allowed: {limit}")};
     case IssueCode::shouldersTooNear:
         return {"shoulders_too_near",
                 SPARKOUT_NOOP("Issue", "a wheel {value} wide does not fit between the shoulders of "
@@ -236,7 +235,7 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::sparkOutLeaves:
         return {"spark_out_leaves",
                 SPARKOUT_NOOP("Issue",
-                              "the part stays {value} above size: a spark-out feeds nothing, "
+                              "the part stays {value} above size: a spark-out has no feed, "
                               "and the deflection did not remove its stock of {limit}")};
     case IssueCode::stageIdle:
         return {"stage_idle",
@@ -257,7 +256,7 @@ IssueWords wordsOf(IssueCode code) {
                 SPARKOUT_NOOP("Issue", "{value} is not a number of the project; needed: {limit}")};
     case IssueCode::sameName:
         return {"same_name",
-                SPARKOUT_NOOP("Issue", "{value} is the name of surface {limit} already")};
+                SPARKOUT_NOOP("Issue", "{value} is already the name of surface {limit}")};
     case IssueCode::sharedKey:
         return {"shared_key",
                 SPARKOUT_NOOP("Issue", "{value} applies to all surfaces and belongs outside them")};
@@ -275,9 +274,11 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::severalFit:
         return {"several_fit", SPARKOUT_NOOP("Issue", "{value} fits several: {limit}")};
     case IssueCode::otherMachines:
-        return {"other_machines",
-                SPARKOUT_NOOP("Issue", "{value} does not take this part; machines of the catalogue "
-                                       "that do: {limit}")};
+        return {
+            "other_machines",
+            SPARKOUT_NOOP(
+                "Issue",
+                "{value} does not accept this part; machines of the catalogue that do: {limit}")};
     case IssueCode::otherWheel:
         return {"other_wheel",
                 SPARKOUT_NOOP("Issue", "this wheel usually leaves Ra {value}, more than required; "
@@ -346,7 +347,7 @@ std::string Wording::sentence(const Issue& issue) const {
     return issue.wheel ? fault + " (" + wheels(*issue.wheel) + ')' : fault;
 }
 
-/// The widths of wheels of the shipped catalogue that would do, the nearest first.
+/// The widths of wheels of the shipped catalogue that fit, the nearest first.
 std::string Wording::wheels(const WheelNeed& need) const {
     std::set<double, std::greater<>> narrow;
     std::set<double> covering;
@@ -377,12 +378,12 @@ std::string Wording::wheels(const WheelNeed& need) const {
     add(covering, SPARKOUT_NOOP("WheelWidths", "to plunge {value} mm"));
     return fitting.empty()
                ? translated("WheelWidths",
-                            SPARKOUT_NOOP("WheelWidths", "no wheel of the catalogue would do"))
-               : filled(translated("WheelWidths",
-                                   SPARKOUT_NOOP("WheelWidths",
-                                                 "widths of the catalogue's wheels that would do: "
-                                                 "{value}")),
-                        fitting, {});
+                            SPARKOUT_NOOP("WheelWidths", "no wheel of the catalogue fits"))
+               : filled(
+                   translated("WheelWidths",
+                              SPARKOUT_NOOP("WheelWidths",
+                                            "widths of the catalogue's wheels that fit: {value}")),
+                   fitting, {});
 }
 
 std::string Wording::detail(const Detail& detail) const {

@@ -3,7 +3,7 @@
 
 #include "core/file/project_file.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/conditions.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup.h"
@@ -166,8 +166,8 @@ std::string wholeNumbers(Kind kind) {
 std::string gaps() {
     std::string conditional;
     addConditional(tableOf<Project>(), {}, conditional);
-    return "The program's reader refuses all that this schema refuses, and beyond it: keys that "
-           "only some projects need ("
+    return "The program refuses everything that this schema refuses, and also: keys that only some "
+           "projects need ("
            + conditional
            + "); rules between values, such as a lower deviation that is not below the upper one, "
              "a "

@@ -26,7 +26,7 @@ constexpr Output<Judgement> judgementRows[] = {
       .hint = "the first that applies: not_computed, fails, stocks_fail, batch_fails, "
               "measured_differ, undecided, close, batch_not_run, batch, every_stock, nominal"},
      [](const Judgement& j) { return std::string(stateKey(j.state)); }},
-    {{.key = "headline", .hint = "the same in words"},
+    {{.key = "headline", .hint = "the state in words"},
      [](const Judgement& j) { return JudgementWording().headline(j); }},
     {{.key = "nominal",
       .hint = "whether the part that was run reaches size and meets every requirement"},
@@ -35,8 +35,8 @@ constexpr Output<Judgement> judgementRows[] = {
 
 constexpr Output<StocksDecision> stocksRows[] = {
     {{.key = "decided",
-      .hint = "whether the stocks within one infeed are; not under position control, nor of a "
-              "cycle of too many passes"},
+      .hint = "whether the stocks within one infeed are decided; not under position control, nor "
+              "for a cycle of too many passes"},
      [](const StocksDecision& s) { return s.has_value(); }},
     {{.key = "holds", .hint = "whether every requirement is met for each of these stocks"},
      [](const StocksDecision& s) { return s ? std::optional(s->holds) : std::nullopt; }},
@@ -44,20 +44,22 @@ constexpr Output<StocksDecision> stocksRows[] = {
      [](const StocksDecision& s) {
          return s ? std::optional(Interval{s->range.from_mm, s->range.to_mm}) : std::nullopt;
      }},
-    {{.key = "failing_share", .hint = "share of these stocks for which a requirement fails, 0…1"},
+    {{.key = "failing_share",
+      .hint = "share of these stocks for which a requirement is not met, 0…1"},
      [](const StocksDecision& s) { return s ? std::optional(s->failingShare) : std::nullopt; }},
 };
 
 constexpr Output<JudgedBatch> batchRows[] = {
     {{.key = "parts", .hint = "parts that were run"}, [](const JudgedBatch& b) { return b.parts; }},
-    {{.key = "seed", .hint = "number that their scatter is drawn by"},
+    {{.key = "seed", .hint = "seed of their scatter"},
      [](const JudgedBatch& b) { return std::int64_t{b.seed}; }},
-    {{.key = "bad", .hint = "parts that are not good"}, [](const JudgedBatch& b) { return b.bad; }},
-    {{.key = "interval_95", .hint = "of the share that is not good; null for corners"},
+    {{.key = "bad", .hint = "rejected parts"}, [](const JudgedBatch& b) { return b.bad; }},
+    {{.key = "interval_95",
+      .hint = "95 % interval of the share of rejected parts; null for corners"},
      [](const JudgedBatch& b) { return b.interval; }},
     {{.key = "low_ppk_95",
-      .hint = "of the least P_pk, where that or the expected share outside misses the batch's "
-              "limit; else null"},
+      .hint = "95 % interval of the lowest P_pk, if it or the expected share outside does not meet "
+              "the batch's limit; otherwise null"},
      [](const JudgedBatch& b) { return b.lowPpk; }},
 };
 

@@ -52,10 +52,9 @@ const char* scopeText(FigureScope scope) {
 }
 
 void addFigures(std::string& text) {
-    text +=
-        "\n## Figures\n\nWhat a goal may ask for. Where strips stay uncut, figures of the surface "
-        "are not known.\n\n| name | meaning | unit | of | of the surface |\n"
-        "| --- | --- | --- | --- | --- |\n";
+    text += "\n## Figures\n\nQuantities that a goal may ask for. Where strips stay uncut, figures "
+            "of the surface are not known.\n\n| name | meaning | unit | of | of the surface |\n| "
+            "--- | --- | --- | --- | --- |\n";
     for (int i = 0; i < static_cast<int>(FigureName::count_); ++i) {
         const FigureRow& row = rowOf(static_cast<FigureName>(i));
         text += "| `" + std::string(row.choice.key) + "` | " + row.choice.label + " | "
@@ -70,11 +69,11 @@ std::string sizeText(const char* what, const TextSize& most) {
 }
 
 constexpr const char* gapsOfLessons =
-    "The program's reader refuses all that this schema refuses, and beyond it: a goal that holds "
-    "none or several of its keys, paths that name no input, figures and moments that the project "
-    "does not have, texts that are missing in both languages or hold foreign tags, prices of hints "
-    "above the points, and what the project's own schema leaves to the reader. "
-    "sparkout-cli course check names each of them.";
+    "The program refuses everything that this schema refuses, and also: a goal with none or "
+    "several of its keys, paths that name no input, figures and moments that the project does not "
+    "have, texts that are missing in both languages or contain foreign tags, prices of hints above "
+    "the points, and whatever the project's own schema leaves to the reader. sparkout-cli course "
+    "check names each of them.";
 
 /// The schema of a file: its format and version come first, with keys that are not in its table.
 ordered_json fileOf(const StructInfo& table, const char* format, int version, const char* inner,
@@ -108,8 +107,8 @@ std::string lessonPage() {
     addFigures(page.text);
     page.text +=
         "\n# The work of a student\n\nA file `.sparkout-work`, which begins with `\"format\": "
-        "\"sparkout-work\"` and `\"version\": 1`; `\"lesson\"` holds the lesson with his "
-        "variant. Seals tell a work that was edited by hand from one that was not; they have no "
+        "\"sparkout-work\"` and `\"version\": 1`; `\"lesson\"` holds the lesson with the student's "
+        "variant. Seals distinguish a work edited by hand from an unedited one; they contain no "
         "secret, so marking computes every answer again.\n";
     page.addStruct(tableOf<WorkSheet>(), {});
     return std::move(page.text);

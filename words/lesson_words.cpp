@@ -6,6 +6,7 @@
 #include "core/lesson/work.h"
 #include "core/project/validate.h"
 #include "core/text.h"
+#include "words/goal_words.h"
 #include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
@@ -59,94 +60,6 @@ std::string workCheckJson(const Work& work, const CheckedSteps& checked) {
 
 namespace {
 
-constexpr std::array<const char*, findings> findingKeys{
-    "passed",    "failed",  "not_answered", "for_teacher",
-    "forbidden", "refused", "does_not_end", "no_such_figure"};
-
-std::string withUnit(double value, const char* unit, int digits) {
-    return fixed(value, digits) + (*unit ? ' ' + std::string(unit) : std::string());
-}
-
-/// The place of a figure: "zone rz1, stage 2, double stroke 10, E1".
-std::string placeOf(const Figure& figure) {
-    std::string text;
-    const auto add = [&text](const std::string& part) {
-        text += (text.empty() ? "" : ", ") + part;
-    };
-    if (figure.place.zone) {
-        add(PlaceName::words()[figure.place.index()].key);
-    } else if (figure.place.section) {
-        add("section " + std::to_string(*figure.place.section + 1));
-    }
-    if (figure.stage) {
-        add("stage " + std::to_string(*figure.stage));
-    }
-    if (figure.count) {
-        add("double stroke or revolution " + std::to_string(*figure.count));
-    }
-    if (figure.step != Step::none) {
-        add(choicesOf<Step>()[static_cast<std::size_t>(figure.step)].key);
-    }
-    return text.empty() ? text : " (" + text + ')';
-}
-
-std::string failingText(const GoalResult& result) {
-    std::string text;
-    if (result.failingStocks_percent) {
-        text += "; fails for " + withUnit(*result.failingStocks_percent, "%", 0) + " of stocks";
-    }
-    for (const ConstraintKind kind : result.failing) {
-        text += (text.empty() ? "; fails: " : ", ") + std::string(requirementOf(kind).key);
-    }
-    return text;
-}
-
-std::string figureSentence(const Figure& figure, const GoalResult& result, const char* asked) {
-    const FigureRow& row = rowOf(figure.name);
-    std::string text = std::string(row.choice.key) + placeOf(figure);
-    if (result.value) {
-        text += ' ' + withUnit(*result.value, row.unit, row.digits);
-    }
-    if (result.asked) {
-        text += std::string("; ") + asked + ": " + withUnit(*result.asked, row.unit, row.digits)
-                + " ± " + withUnit(result.tolerance, row.unit, row.digits + 1);
-    }
-    return text;
-}
-
-std::string orderSentence(const OrderPrediction& goal, const GoalResult& result) {
-    std::string text = std::string(rowOf(goal.figure.name).choice.key) + ", largest first:";
-    for (const std::size_t place : result.order) {
-        text += ' ' + std::to_string(place + 1);
-    }
-    return text;
-}
-
-std::string numbersOf(const Goal& goal, const GoalResult& result) {
-    switch (goal.kind()) {
-    case GoalKind::requirements:
-        return (result.value ? "least margin " + withUnit(*result.value, "%", 1) : std::string())
-               + failingText(result);
-    case GoalKind::time:
-        return (result.value ? "cycle time " + withUnit(*result.value, "min", 3) : std::string())
-               + (result.asked ? "; asked: at most " + withUnit(*result.asked, "min", 3)
-                               : std::string())
-               + failingText(result);
-    case GoalKind::figure: return figureSentence(goal.figure->figure, result, "asked");
-    case GoalKind::prediction: return figureSentence(goal.prediction->figure, result, "predicted");
-    case GoalKind::curve:
-        return result.curve.empty()
-                   ? std::string()
-                   : "within the tolerance at " + withUnit(result.value.value_or(0), "%", 0)
-                         + " of the places; asked: "
-                         + withUnit(goal.curve->least_share_percent, "%", 0);
-    case GoalKind::order: return result.order.empty() ? "" : orderSentence(*goal.order, result);
-    case GoalKind::choice:
-    case GoalKind::text: break;
-    }
-    return {};
-}
-
 std::string leafText(const Leaf& leaf) {
     const Field& field = *leaf.field;
     switch (field.kind) {
@@ -162,25 +75,6 @@ std::string leafText(const Leaf& leaf) {
 
 } // namespace
 
-const char* findingKey(Finding finding) {
-    return findingKeys[static_cast<std::size_t>(finding)];
-}
-
-const char* findingText(Finding finding) {
-    switch (finding) {
-    case Finding::passed: return SPARKOUT_NOOP("Finding", "passed");
-    case Finding::failed: return SPARKOUT_NOOP("Finding", "not passed");
-    case Finding::notAnswered: return SPARKOUT_NOOP("Finding", "not answered");
-    case Finding::forTeacher: return SPARKOUT_NOOP("Finding", "for the teacher to mark");
-    case Finding::forbidden:
-        return SPARKOUT_NOOP("Finding", "inputs were changed that are not free");
-    case Finding::refused: return SPARKOUT_NOOP("Finding", "the inputs have errors");
-    case Finding::doesNotEnd: return SPARKOUT_NOOP("Finding", "the cycle does not end by itself");
-    case Finding::noSuchFigure: return SPARKOUT_NOOP("Finding", "the run has no such figure");
-    }
-    return "";
-}
-
 const char* flagText(WorkFlag flag) {
     switch (flag) {
     case WorkFlag::unreadable: return SPARKOUT_NOOP("Grading", "cannot be read");
@@ -194,7 +88,7 @@ const char* flagText(WorkFlag flag) {
     case WorkFlag::untrueRuns:
         return SPARKOUT_NOOP("Grading", "kept runs whose numbers are not the engine's");
     case WorkFlag::late: return SPARKOUT_NOOP("Grading", "a prediction after the run");
-    case WorkFlag::forbidden: return SPARKOUT_NOOP("Grading", "inputs changed that are not free");
+    case WorkFlag::forbidden: return SPARKOUT_NOOP("Grading", "locked inputs changed");
     case WorkFlag::missing: return SPARKOUT_NOOP("Grading", "nothing handed in");
     case WorkFlag::overBudget:
         return SPARKOUT_NOOP("Grading", "took too long: not all of it was checked");
@@ -209,21 +103,21 @@ const char* variantFaultText(VariantFault fault) {
     case VariantFault::invalid:
         return SPARKOUT_NOOP("Variants", "the project has errors, or its cycle does not end");
     case VariantFault::noFigure:
-        return SPARKOUT_NOOP("Variants", "the run has no figure that a step asks for");
+        return SPARKOUT_NOOP("Variants", "the run does not give a quantity that a step asks for");
     case VariantFault::solved: return SPARKOUT_NOOP("Variants", "a step is solved as given");
     case VariantFault::otherFigure:
         return SPARKOUT_NOOP("Variants", "a figure is outside the bounds that the lesson sets");
     case VariantFault::noAnswer:
         return SPARKOUT_NOOP("Variants", "no cycle of the grid meets the goal");
     case VariantFault::notFree:
-        return SPARKOUT_NOOP("Variants", "the best answer changes inputs that are not free");
+        return SPARKOUT_NOOP("Variants", "the best answer changes locked inputs");
     case VariantFault::unattained:
         return SPARKOUT_NOOP("Variants",
                              "no value of a free input was found that gives the required quantity");
     case VariantFault::tooQuick:
-        return SPARKOUT_NOOP("Variants", "the best answer is too quick beside the lesson's");
+        return SPARKOUT_NOOP("Variants", "the best answer is too quick compared with the lesson's");
     case VariantFault::tooSlow:
-        return SPARKOUT_NOOP("Variants", "the best answer is too slow beside the lesson's");
+        return SPARKOUT_NOOP("Variants", "the best answer is too slow compared with the lesson's");
     case VariantFault::otherMargin:
         return SPARKOUT_NOOP("Variants", "the best answer's margin is too far from the lesson's");
     case VariantFault::count_: break;
@@ -246,7 +140,7 @@ const char* lessonFaultText(LessonFault fault) {
 
 const char* groupFaultText(GroupFault::Kind kind) {
     switch (kind) {
-    case GroupFault::Kind::noName: return SPARKOUT_NOOP("Grading", "there is no name");
+    case GroupFault::Kind::noName: return SPARKOUT_NOOP("Grading", "the name is missing");
     case GroupFault::Kind::twice: return SPARKOUT_NOOP("Grading", "this student is listed twice");
     case GroupFault::Kind::tooMany: return SPARKOUT_NOOP("Grading", "there are more than 1000");
     case GroupFault::Kind::empty: return SPARKOUT_NOOP("Grading", "there are no students");
@@ -257,28 +151,13 @@ const char* groupFaultText(GroupFault::Kind kind) {
     return "";
 }
 
-std::string goalSentence(const Goal& goal, const GoalResult& result) {
-    std::string text = findingText(result.finding);
-    for (const std::string& path : result.forbidden) {
-        text += (&path == &result.forbidden.front() ? ": " : ", ") + path;
-    }
-    for (const Issue& issue : result.issues) {
-        if (issue.severity == Severity::error) {
-            text += ": " + issue.path + ": " + issueSentence(issue);
-            break;
-        }
-    }
-    const std::string numbers = numbersOf(goal, result);
-    return numbers.empty() ? text : text + ": " + numbers;
-}
-
 std::string keptRunSentence(const KeptRunCheck& check) {
     if (!check.issues.empty()) {
         return "its inputs cannot be run: " + check.issues.front().path + ": "
                + issueSentence(check.issues.front());
     }
     if (!check.isReadable) {
-        return "it holds no numbers that can be read";
+        return "it contains no readable numbers";
     }
     constexpr std::size_t listed = 3;
     std::string text = std::to_string(check.changed.size())

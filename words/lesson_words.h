@@ -18,12 +18,6 @@ namespace sparkout {
 [[nodiscard]] std::string lessonCheckJson(const CheckedSteps& checked);
 [[nodiscard]] std::string workCheckJson(const Work& work, const CheckedSteps& checked);
 
-/// A finding by its name in JSON.
-[[nodiscard]] const char* findingKey(Finding finding);
-
-/// "passed", "cycle does not end by itself"; context "Finding".
-[[nodiscard]] const char* findingText(Finding finding);
-
 /// The text of a work's flag; context "Grading".
 [[nodiscard]] const char* flagText(WorkFlag flag);
 
@@ -35,9 +29,6 @@ namespace sparkout {
 
 /// The fault of a line in a list of students; context "Grading".
 [[nodiscard]] const char* groupFaultText(GroupFault::Kind kind);
-
-/// The result of a goal, in English: "passed: cycle time 2.310 min; required: at most 2.500 min".
-[[nodiscard]] std::string goalSentence(const Goal& goal, const GoalResult& result);
 
 /// A kept run whose numbers differ from the engine's, in English.
 [[nodiscard]] std::string keptRunSentence(const KeptRunCheck& check);

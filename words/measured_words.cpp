@@ -20,7 +20,8 @@ using nlohmann::ordered_json;
 
 constexpr Output<Identification> identificationRows[] = {
     {{.key = "status"}, [](const Identification& i) { return std::string(wordsOf(i.status).key); }},
-    {{.key = "condition", .hint = "of the derivatives; none where they depend on each other"},
+    {{.key = "condition",
+      .hint = "condition number of the derivatives; none if they depend on each other"},
      [](const Identification& i) {
          return std::isfinite(i.condition) ? std::optional(i.condition) : std::nullopt;
      }},
@@ -28,7 +29,7 @@ constexpr Output<Identification> identificationRows[] = {
      [](const Identification& i) {
          return i.normality ? std::optional(i.normality->probability) : std::nullopt;
      }},
-    {{.key = "in_doubt", .hint = "the model does not fit, and the values are not to be used"},
+    {{.key = "in_doubt", .hint = "whether the model does not fit and the values must not be used"},
      [](const Identification& i) { return i.status == IdentificationStatus::doesNotFit; }},
     {{.key = "measured_values"}, [](const Identification& i) { return std::int64_t(i.count); }},
 };
@@ -51,7 +52,7 @@ constexpr Output<FitResiduals> residualsRows[] = {
      [](const FitResiduals& r) { return std::int64_t{r.trace}; }},
     {{.key = "count"}, [](const FitResiduals& r) { return std::int64_t(r.values.size()); }},
     {{.key = "rms"}, [](const FitResiduals& r) { return r.rms; }},
-    {{.key = "noise", .hint = "of a trace, from what neighbouring values differ by"},
+    {{.key = "noise", .hint = "noise of a trace, from differences of neighbouring values"},
      [](const FitResiduals& r) {
          return r.noise ? std::optional(std::sqrt(r.noise->variance())) : std::nullopt;
      }},
@@ -61,18 +62,19 @@ constexpr Output<FitResiduals> residualsRows[] = {
      }},
     {{.key = "lack_of_fit", .hint = "mean square of stretches over that of the noise; 1 is usual"},
      [](const FitResiduals& r) { return r.noise ? std::optional(r.lack.ratio) : std::nullopt; }},
-    {{.key = "outliers", .hint = "lone values that a robust loss counts less"},
+    {{.key = "outliers", .hint = "outliers that a robust loss weighs less"},
      [](const FitResiduals& r) { return std::int64_t(r.outliers); }},
     {{.key = "over_range", .hint = "lone readings far beyond the range of all others"},
      [](const FitResiduals& r) { return std::int64_t(r.overRange.size()); }},
-    {{.key = "in_doubt", .hint = "more is left than noise leaves"},
+    {{.key = "in_doubt", .hint = "whether the residuals exceed the noise"},
      [](const FitResiduals& r) { return r.lack.isLacking(); }},
-    {{.key = "unlike", .hint = "what is left: drift, lag, stage, spike or other"},
+    {{.key = "unlike", .hint = "kind of the residuals: drift, lag, stage, spike or other"},
      [](const FitResiduals& r) {
          return r.lack.isLacking() ? std::optional<std::string>(wordsOf(r.unlike.kind).key)
                                    : std::nullopt;
      }},
-    {{.key = "unlike_stage", .hint = "where what is left lies in one stage, from 1"},
+    {{.key = "unlike_stage",
+      .hint = "stage in which the residuals lie, from 1; none if they lie in several"},
      [](const FitResiduals& r) {
          return r.lack.isLacking() && r.unlike.stage >= 0
                     ? std::optional<std::int64_t>(r.unlike.stage + 1)
@@ -84,31 +86,33 @@ constexpr Output<FitResiduals> residualsRows[] = {
 constexpr Output<OutOfStepOf> outOfStepRows[] = {
     {{.key = "parameter", .hint = "a property of the recorder that was not fitted"},
      [](const OutOfStepOf& o) { return std::string(keyOf(o.time.kind)); }},
-    {{.key = "value", .hint = "with it fitted too"},
+    {{.key = "value", .hint = "its value when fitted too"},
      [](const OutOfStepOf& o) { return o.time.amount; }},
     {{.key = "error", .hint = "standard error"}, [](const OutOfStepOf& o) { return o.time.error; }},
     {{.key = "unit"}, [](const OutOfStepOf& o) { return std::string(unitOf(o.time.kind)); }},
-    {{.key = "moves", .hint = "the parameter that it moves most"},
+    {{.key = "moves", .hint = "parameter that it changes most"},
      [](const OutOfStepOf& o) { return parameterName(o.parameters[o.time.parameter]); }},
-    {{.key = "to", .hint = "what that one would be"},
+    {{.key = "to", .hint = "value of that parameter then"},
      [](const OutOfStepOf& o) { return o.time.value; }},
 };
 
 constexpr Output<ForceLawChoice> forceLawRows[] = {
     {{.key = "supported", .hint = "by the spark-out: sources, threshold or undecided"},
      [](const ForceLawChoice& c) { return std::string(wordsOf(c.supported).key); }},
-    {{.key = "aic_difference", .hint = "of the sources' law less that of the threshold"},
+    {{.key = "aic_difference",
+      .hint = "AIC of the sources' law minus that of the law with a threshold"},
      [](const ForceLawChoice& c) { return c.aicDifference; }},
-    {{.key = "sources_rms_um", .hint = "what the sources' law leaves of the diameter"},
+    {{.key = "sources_rms_um", .hint = "residuals of the diameter by the sources' law"},
      [](const ForceLawChoice& c) { return c.sourcesRms_um; }},
-    {{.key = "threshold_rms_um", .hint = "what the law with a threshold leaves of it"},
+    {{.key = "threshold_rms_um", .hint = "residuals of the diameter by the law with a threshold"},
      [](const ForceLawChoice& c) { return c.thresholdRms_um; }},
     {{.key = "time_constant_s", .hint = "of the law with a threshold"},
      [](const ForceLawChoice& c) { return c.timeConstant_s; }},
     {{.key = "revolutions", .hint = "of the spark-out that are recorded"},
      [](const ForceLawChoice& c) { return std::int64_t{c.revolutions}; }},
     {{.key = "readings"}, [](const ForceLawChoice& c) { return std::int64_t(c.readings); }},
-    {{.key = "revolutions_more", .hint = "undecided: so many more would decide"},
+    {{.key = "revolutions_more",
+      .hint = "additional revolutions that would decide; none if decided"},
      [](const ForceLawChoice& c) {
          return c.revolutionsMore ? std::optional<std::int64_t>(*c.revolutionsMore) : std::nullopt;
      }},
@@ -130,7 +134,7 @@ constexpr Output<HoldOutRow> holdOutRows[] = {
      [](const HoldOutRow& r) { return std::optional(r.predicted95); }},
     {{.key = "difference_95", .hint = "measured less predicted, with the noise of the trace"},
      [](const HoldOutRow& r) { return std::optional(r.difference95); }},
-    {{.key = "agrees", .hint = "the difference may be none"},
+    {{.key = "agrees", .hint = "whether the difference may be zero"},
      [](const HoldOutRow& r) { return r.agrees(); }},
 };
 
@@ -368,12 +372,11 @@ MeasuredWords wordsOf(LoadLine line) {
     case LoadLine::straight:
         return {"straight", SPARKOUT_NOOP("Trial", "deflection is in proportion to the load")};
     case LoadLine::play:
-        return {"play",
-                SPARKOUT_NOOP("Trial", "there is play, and the stiffness is that beyond it: "
-                                       "take the play out before loading")};
+        return {"play", SPARKOUT_NOOP("Trial", "there is play, and the stiffness is that beyond "
+                                               "it: remove the play before loading")};
     case LoadLine::bent:
-        return {"bent", SPARKOUT_NOOP("Trial", "the stiffness changes with the load, and what was "
-                                               "found is a mean: load as the deepest cut does")};
+        return {"bent", SPARKOUT_NOOP("Trial", "the stiffness changes with the load, and the "
+                                               "result is a mean: load as the deepest cut does")};
     case LoadLine::untested: break;
     }
     return {"untested", SPARKOUT_NOOP("Trial", "play is undetermined: load twice, "
@@ -387,10 +390,11 @@ const char* textOf(AdequacyVerdict verdict) {
     case AdequacyVerdict::biased:
         return SPARKOUT_NOOP("Measured", "the mean differs from the predicted one");
     case AdequacyVerdict::scatterDiffers:
-        return SPARKOUT_NOOP("Measured", "the parts scatter otherwise than predicted");
+        return SPARKOUT_NOOP("Measured", "the parts scatter differently than predicted");
     case AdequacyVerdict::biasedAndScatters:
-        return SPARKOUT_NOOP("Measured", "the mean differs from the predicted one, and the parts "
-                                         "scatter otherwise");
+        return SPARKOUT_NOOP(
+            "Measured",
+            "the mean differs from the predicted one, and the parts scatter differently");
     case AdequacyVerdict::tooFewParts:
         return SPARKOUT_NOOP("Measured", "too few parts for a conclusion");
     case AdequacyVerdict::notPredicted: break;
@@ -411,7 +415,7 @@ MeasuredWords wordsOf(IdentificationStatus status) {
         return {"not_applicable",
                 SPARKOUT_NOOP("Measured",
                               "the project cannot have these parameters, one of them is given "
-                              "twice, or the setting of the gauge is asked of traces")};
+                              "twice, or the setting of the gauge is to be fitted to traces")};
     case IdentificationStatus::notRun:
         return {"not_run", SPARKOUT_NOOP("Measured", "the cycle of the project cannot be run to "
                                                      "size")};

@@ -332,7 +332,7 @@ std::string RemedyWording::goodFor(const Remedy& remedy) const {
                                             {{"phases", number(remedy.phases)}});
     return remedy.batch
                ? stocks
-                     + filled(SPARKOUT_NOOP("Remedy", ", {bad} of {parts} bad"),
+                     + filled(SPARKOUT_NOOP("Remedy", ", {bad} of {parts} rejected"),
                               {{"bad", number(static_cast<double>(remedy.batch->bad))},
                                {"parts", number(static_cast<double>(remedy.batch->parts))}})
                : stocks;

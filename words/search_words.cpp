@@ -20,7 +20,7 @@
 
 namespace sparkout {
 
-// --- how things are written ---------------------------------------------------------------------
+// --- notation ------------------------------------------------------------------------------------
 
 std::string SearchWording::translated(const char* text) const {
     return text;
@@ -149,8 +149,7 @@ std::string SearchWording::state(const SearchState& state) const {
         said.push_back(filled(SPARKOUT_NOOP("Search", "none below %1"), {time(state.bound_s)}));
     }
     if (state.share > 0) {
-        said.push_back(
-            filled(SPARKOUT_NOOP("Search", "%1 % gone through"), {percent(state.share)}));
+        said.push_back(filled(SPARKOUT_NOOP("Search", "%1 % searched"), {percent(state.share)}));
     }
     if (state.evaluations > 0) {
         said.push_back(filled(SPARKOUT_NOOP("Search", "%1 judged"), {whole(state.evaluations)}));
@@ -168,7 +167,7 @@ std::string SearchWording::state(const SearchState& state) const {
     return line;
 }
 
-// --- why nothing is searched --------------------------------------------------------------------
+// --- refusals ------------------------------------------------------------------------------------
 
 namespace {
 
@@ -215,15 +214,16 @@ std::string searchRefusal(const SearchOutcome& outcome) {
 std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion& asked) {
     switch (read.fault) {
     case SearchStateFault::none: break;
-    case SearchStateFault::otherFormat: return "is no progress of a search, and stays as it is";
+    case SearchStateFault::otherFormat:
+        return "is not the progress of a search, and stays as it is";
     case SearchStateFault::otherVersion:
         return "is the progress of a search by another version of this program";
     case SearchStateFault::changed:
-        return "is damaged: its checksum is not that of its contents; delete it to begin anew";
+        return "is damaged: its checksum is not that of its contents; delete it to start again";
     case SearchStateFault::badValue:
         return "is damaged: " + printable(read.value.path) + ": " + printable(read.value.found)
                + "; allowed: " + read.value.least + "…" + read.value.most
-               + "; delete it to begin anew";
+               + "; delete it to start again";
     case SearchStateFault::otherEngine:
         return "is the progress of a search by another build of this program, "
                + printable(read.question.engine) + "; this one is " + asked.engine;
@@ -238,15 +238,16 @@ std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion
 std::string SearchWording::fault(const SearchOutcome& outcome) const {
     if (outcome.isOtherOperation) {
         return filled(SPARKOUT_NOOP("Search", "This method is for plunge grinding; the exact "
-                                              "search takes traverse cycles (%1)."),
+                                              "search handles traverse cycles (%1)."),
                       {method(SearchMethod::pruned)});
     }
     if (outcome.isOtherAim) {
         return translated(
             isHeuristic(outcome.method)
                 ? SPARKOUT_NOOP("Search", "This method searches only for the minimum time.")
-                : SPARKOUT_NOOP("Search", "The refinement between the levels looks "
-                                          "for the minimum time alone."));
+                : SPARKOUT_NOOP(
+                    "Search",
+                    "The refinement between the levels looks only for the minimum time."));
     }
     switch (outcome.objectiveFault) {
     case ObjectiveFault::none: break;
@@ -254,11 +255,11 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
         return translated(SPARKOUT_NOOP("Search", "The minimum cost needs the cost of a part."));
     case ObjectiveFault::otherAim:
         return translated(SPARKOUT_NOOP("Search", "The maximum margin within a time is searched "
-                                                  "with the objective “minimum time” alone."));
+                                                  "only with the objective “minimum time”."));
     case ObjectiveFault::otherParts:
         return translated(
-            SPARKOUT_NOOP("Search", "Cost and wheel life are searched for the given part alone, "
-                                    "not for other stocks within one infeed or for the batch."));
+            SPARKOUT_NOOP("Search", "Cost and wheel life are searched only for the given part, not "
+                                    "for other stocks within one infeed or for the batch."));
     }
     switch (outcome.fault) {
     case GridFault::none: break;
@@ -269,22 +270,23 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
                               ? SPARKOUT_NOOP("Search", "Both feeds need levels.")
                               : SPARKOUT_NOOP("Search", "The plunge feed needs levels."));
     case GridFault::tooManyLevels:
-        return filled(SPARKOUT_NOOP("Search", "A stage would have more than %1 settings of its "
-                                              "feeds: take fewer levels."),
-                      {whole(std::llround(mostSettings))});
+        return filled(
+            SPARKOUT_NOOP(
+                "Search",
+                "A stage would have more than %1 settings of its feeds: use fewer levels."),
+            {whole(std::llround(mostSettings))});
     case GridFault::tooManySteps:
-        return filled(SPARKOUT_NOOP("Search", "The stock would have more than %1 steps: take a "
-                                              "larger step."),
-                      {whole(std::llround(mostStockSteps))});
+        return filled(
+            SPARKOUT_NOOP("Search", "The stock would have more than %1 steps: use a larger step."),
+            {whole(std::llround(mostStockSteps))});
     case GridFault::tooManyVariants:
-        return filled(SPARKOUT_NOOP("Search", "Work speed, dwells and spark-outs make more than "
-                                              "%1 combinations: take fewer levels."),
+        return filled(SPARKOUT_NOOP("Search", "Work speed, dwells and spark-outs make more than %1 "
+                                              "combinations: use fewer levels."),
                       {whole(std::llround(mostVariants))});
     case GridFault::noDivision:
-        return translated(SPARKOUT_NOOP("Search",
-                                        "The stock cannot be divided into these numbers of stages: "
-                                        "take a smaller step, or other limits of the stages' feeds "
-                                        "and stocks."));
+        return translated(SPARKOUT_NOOP(
+            "Search", "The stock cannot be divided into these numbers of stages: use a smaller "
+                      "step, or other limits of the stages' feeds and stocks."));
     case GridFault::wholeRatio: return wholeRatio(outcome.project);
     }
     return {};
@@ -306,7 +308,7 @@ std::string SearchWording::wholeRatio(const Project& project) const {
                         {asked, least, levels});
 }
 
-// --- what came out ------------------------------------------------------------------------------
+// --- results -------------------------------------------------------------------------------------
 
 std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
     const auto why = [&] {
@@ -425,7 +427,7 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
             {taken, size}));
     }
     if (!outcome.proved() && outcome.interval->bound) {
-        lines.push_back(isCost ? filled("No part of the grid costs less than %1.",
+        lines.push_back(isCost ? filled("No cycle of the grid has a lower cost of a part than %1.",
                                         {cost(*outcome.interval->bound)})
                                : filled("No cycle of the grid is fit for more than %1 parts.",
                                         {fixed(*outcome.interval->bound, 0)}));
@@ -433,7 +435,7 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
     lines.push_back(filled("Parts per dressing: %1; %2 each on average.",
                            {parts(*best.held), time(best.held->meanTime_s)}));
     if (best.held->end) {
-        lines.push_back(filled("The next part breaks: %1.", {requirement(*best.held->end)}));
+        lines.push_back(filled("The next part does not meet: %1.", {requirement(*best.held->end)}));
     } else if (!best.held->isEndless && !best.held->isAll) {
         lines.push_back("The next part does not reach its size.");
     }
@@ -460,9 +462,9 @@ std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
     if (before_s && *before_s > 0) {
         constexpr double noticed = 5e-4;
         const double change = outcome.answer()->time_s / *before_s - 1;
-        lines.push_back(change < -noticed
-                            ? filled("That is %1 % less than your cycle takes.", {percent(-change)})
-                            : filled("Your cycle takes %1.", {time(*before_s)}));
+        lines.push_back(change < -noticed ? filled("That is %1 % less than the time of your cycle.",
+                                                   {percent(-change)})
+                                          : filled("Your cycle takes %1.", {time(*before_s)}));
     }
     addLimit(outcome, lines);
     addBinding(outcome, lines);
@@ -523,8 +525,8 @@ void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::stri
     }
     if (!outcome.searched.operation->travels) {
         lines.push_back(cycles.drawBack
-                            ? "The limit is also valid for cycles that draw the wheel head back."
-                            : "The limit is valid for cycles that never draw the wheel head back.");
+                            ? "The limit is also valid for cycles that retract the wheel head."
+                            : "The limit is valid for cycles that never retract the wheel head.");
     }
     lines.push_back(
         cycles.sparkOut
@@ -595,9 +597,8 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
                                         {value(*edge.machine)})
                 : edge.isOfStage
                     ? translated(SPARKOUT_NOOP("Search", "the machine's range is not given."))
-                : edge.limit
-                    ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                    : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
+                : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed: %1."), {value(*edge.limit)})
+                             : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         lines.push_back(std::move(line));
     }
     addSettingEdges(outcome, lines);
@@ -636,9 +637,8 @@ void SearchWording::addSettingEdges(const SearchOutcome& outcome,
                    {setting(edge.key), value(edge.level)});
         line += ' ';
         line += edge.isLimit ? translated(SPARKOUT_NOOP("Search", "no other is allowed."))
-                : edge.limit
-                    ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
-                    : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
+                : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed: %1."), {value(*edge.limit)})
+                             : translated(SPARKOUT_NOOP("Search", "smaller values are allowed."));
         lines.push_back(std::move(line));
     }
 }
@@ -710,7 +710,7 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
         }
     }
     if (robust.nominalTime_s > 0) {
-        lines.push_back(filled("The nominal part alone, of the same levels, would take %1: "
+        lines.push_back(filled("For the nominal part only, the same levels would give %1: "
                                "robustness costs %2 % of time.",
                                {time(robust.nominalTime_s),
                                 percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
@@ -719,16 +719,16 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
 
 std::string SearchWording::front(const SearchOutcome& outcome) const {
     if (outcome.wear) {
-        return translated(SPARKOUT_NOOP(
-            "Search", "Margins by time are searched for the minimum time, or for the maximum "
-                      "margin; this search is of parts between dressings."));
+        return translated(
+            SPARKOUT_NOOP("Search", "Margins by time are searched for the minimum time, or for the "
+                                    "maximum margin; this search is for parts between dressings."));
     }
     if (outcome.isFrontComing) {
         return translated(SPARKOUT_NOOP("Search", "The search for margins by time continues."));
     }
     if (isHeuristic(outcome.method)) {
         return filled(
-            SPARKOUT_NOOP("Search", "Margins by time are searched by the exact search alone (%1)."),
+            SPARKOUT_NOOP("Search", "Margins by time are searched only by the exact search (%1)."),
             {method(SearchMethod::pruned)});
     }
     const std::vector<const FoundCycle*> points = outcome.front();

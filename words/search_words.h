@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/search/search_state.h"
+#include "core/search/search_record_text.h"
 #include "core/study/search.h"
 
 #include <cstdint>

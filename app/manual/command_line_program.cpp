@@ -12,13 +12,14 @@ constexpr Option json{.name = "--json",
 constexpr Option surface{
     .name = "--surface",
     .value = textLike("NAME|N|all", "a name, a number from 1 or all"),
-    .text = {"the surface of a file of several, by its name or its number from 1, or all",
-             "поверхность файла нескольких поверхностей, по имени или по номеру (с 1), или "
-             "all — все"}};
-constexpr Option threads{.name = "--threads",
-                         .value = integer("N", 1, 1024),
-                         .text = {"threads, instead of one a processor; the answer is the same",
-                                  "число потоков вместо одного на процессор; ответ тот же"}};
+    .text = {
+        "the surface of a file of several, by its name or its number from 1, or all",
+        "поверхность файла нескольких поверхностей, по имени или по номеру (с 1), или all — все"}};
+constexpr Option threads{
+    .name = "--threads",
+    .value = integer("N", 1, 1024),
+    .text = {"number of threads, by default one per processor; the answer is the same",
+             "число потоков вместо одного на процессор; ответ тот же"}};
 constexpr Option progress{.name = "--progress",
                           .text = {"prints progress to stderr, even when that is not a terminal",
                                    "печатает ход расчёта в stderr, даже если это не терминал"}};
@@ -54,16 +55,15 @@ Command remediesCommand() {
     return {"remedies",
             oneFile,
             {"finds up to three changes of one setting, or a starting cycle, with which an unfit "
-             "cycle meets all requirements or a cycle close to a limit has room: each is the "
-             "middle of an interval of values that were run, for every stock and the batch, and "
-             "the one that costs least comes first; where none of the values tried helps, the "
-             "reason, with the requirements that are not met",
+             "cycle meets all requirements or a cycle close to a limit gains a sufficient margin: "
+             "each is the middle of an interval of values that were run, for every stock and the "
+             "batch, and the one that costs least comes first; where none of the values tried "
+             "helps, states the reason and the requirements that are not met",
              "находит изменения одной настройки или исходный цикл, при которых выполнены все "
-             "требования нарушавшего их "
-             "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое — середина "
-             "интервала рассчитанных значений, для всех припусков и для партии, сначала наименее "
-             "затратное; если при проверенных значениях не помогает ни одно — почему, с "
-             "нарушенными требованиями"},
+             "требования нарушавшего их цикла либо у цикла, близкого к пределу, появляется запас: "
+             "до трёх, каждое — середина интервала рассчитанных значений, для всех припусков и для "
+             "партии, сначала наименее затратное; если при проверенных значениях не помогает ни "
+             "одно — почему, с нарушенными требованиями"},
             {surface, json}};
 }
 
@@ -75,51 +75,35 @@ Command optimizeCommand() {
          "находит самый быстрый цикл сетки файла, при котором выполнены все требования"},
         {surface,
          {.name = "--robust",
-          .text =
-              {"the cycle must be fit for every stock within half an infeed of the stated one: "
-               "under "
-               "gauge control this is decided, under position control it is tried on 500 stocks "
-               "drawn "
-               "at random, with the confidence stated; a file whose optimisation has the scenarios "
-               "corners or batch is searched for those without this option",
-               "цикл должен быть годен для всех припусков в пределах подачи на шаг: при "
-               "управлении от прибора это решается точно, при управлении по положению проверяется "
-               "на "
-               "500 "
-               "случайных припусках с указанием доверительной вероятности; файл, в котором для "
-               "поиска "
-               "заданы сценарии corners или batch, рассчитывается для них и без этого параметра"}},
+          .text = {"the cycle must be fit for every stock within half an infeed of the stated one: "
+                   "under gauge control this is decided, under position control it is tried on 500 "
+                   "stocks drawn at random, with the confidence stated; a file whose optimisation "
+                   "has the scenarios corners or batch is searched for those without this option",
+                   "цикл должен быть годен для всех припусков в пределах подачи на шаг: при "
+                   "управлении от прибора это решается точно, при управлении по положению "
+                   "проверяется на 500 случайных припусках с указанием доверительной вероятности; "
+                   "файл, в котором для поиска заданы сценарии corners или batch, рассчитывается "
+                   "для них и без этого параметра"}},
          {.name = "--refine",
           .text = {"continues from the best cycle of the grid between its levels, in the machine's "
-                   "steps: "
-                   "a quicker fit cycle, if one is found; it is not proved",
+                   "steps: a quicker fit cycle, if one is found; it is not proved",
                    "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более "
-                   "быстрый "
-                   "годный цикл, если встретится; он не доказан"}},
+                   "быстрый годный цикл, если встретится; он не доказан"}},
          {.name = "--front",
-          .text = {"beyond the answer the best cycle of each number of stages, and slower cycles "
-                   "farther "
+          .text = {"also finds the best cycle of each number of stages, and slower cycles farther "
                    "from their limits: time against margin",
                    "кроме ответа лучший цикл для каждого числа ступеней и более медленные циклы, "
-                   "которые "
-                   "дальше от пределов: запас против времени"}},
+                   "которые дальше от пределов: запас против времени"}},
          {.name = "--method",
           .value = choice("search full dp labels"),
-          .text =
-              {"search: proves the answer from few runs; full: runs every cycle; for plunge "
-               "grinding "
-               "also "
-               "two heuristics, which prove nothing and may find no cycle where there is one: dp, "
-               "the "
-               "dynamic programming that was published, and labels, which keeps more ways to each "
-               "stock "
-               "level",
-               "search: доказывает ответ немногими расчётами; full: рассчитывает все циклы; для "
-               "врезного "
-               "шлифования ещё две эвристики, которые ничего не доказывают и могут не найти "
-               "существующего цикла: dp — опубликованное динамическое программирование, labels — "
-               "больше "
-               "путей к каждому уровню припуска"}},
+          .text = {"search: proves the answer from few runs; full: runs every cycle; for plunge "
+                   "grinding also two heuristics, which prove nothing and may find no cycle where "
+                   "there is one: dp, the dynamic programming that was published, and labels, "
+                   "which keeps more ways to each stock level",
+                   "search: доказывает ответ немногими расчётами; full: рассчитывает все циклы; "
+                   "для врезного шлифования ещё две эвристики, которые ничего не доказывают и "
+                   "могут не найти существующего цикла: dp — опубликованное динамическое "
+                   "программирование, labels — больше путей к каждому уровню припуска"}},
          {.name = "--stages",
           .value = integers("N,…", 1, 5),
           .text = {"numbers of stages to try, instead of the file's",
@@ -128,27 +112,22 @@ Command optimizeCommand() {
           .value = number("S", "a number of seconds", 0, 1e9),
           .text =
               {"ends search, refinement and front after this number of seconds, as Ctrl+C does: "
-               "the "
-               "best cycle so far is kept, with the time that no cycle is quicker than",
+               "the best cycle so far is kept, with a bound below which no cycle lies",
                "прекращает поиск, уточнение и запасы по времени через столько секунд, как Ctrl+C: "
-               "остаётся лучшее из "
-               "найденного и время, быстрее которого цикла нет"}},
+               "остаётся лучшее из найденного и время, быстрее которого цикла нет"}},
          {.name = "--threads",
           .value = integer("N", 1, 1024),
-          .text = {"of the full search, instead of one a processor; the answer is the same",
+          .text = {"number of threads of the full search, by default one per processor; the answer "
+                   "is the same",
                    "число потоков полного поиска вместо одного на процессор; ответ тот же"}},
          {.name = "--resume",
           .value = file("FILE"),
-          .text = {"of the full search: keeps its progress in this file, every second and at a "
-                   "stop; the "
-                   "same command with the same file goes on where it was stopped or killed, and "
-                   "gives the "
-                   "same answer",
+          .text = {"keeps the progress of the full search in this file, every second and at a "
+                   "stop; the same command with the same file continues where it was stopped or "
+                   "killed, and gives the same answer",
                    "для полного поиска: сохраняет его ход в этом файле каждую секунду и при "
-                   "остановке; та "
-                   "же команда с тем же файлом продолжает с места, где поиск остановили или "
-                   "прервали, и "
-                   "даёт тот же ответ"}},
+                   "остановке; та же команда с тем же файлом продолжает с места, где поиск "
+                   "остановили или прервали, и даёт тот же ответ"}},
          json,
          {.name = "-o",
           .value = projectFile("OUT.sparkout"),
@@ -157,11 +136,11 @@ Command optimizeCommand() {
 }
 
 Command validateCommand() {
-    return {
-        "validate",
-        oneFile,
-        {"checks a project file: one line a fault", "проверяет файл проекта: по строке на ошибку"},
-        {}};
+    return {"validate",
+            oneFile,
+            {"checks a project file and prints one line for each fault",
+             "проверяет файл проекта: по строке на ошибку"},
+            {}};
 }
 
 std::vector<Option> batchOptions() {
@@ -169,7 +148,8 @@ std::vector<Option> batchOptions() {
         surface,
         {.name = "--parts",
          .value = integer("N", 1, 1'000'000),
-         .text = {"parts, instead of the file's", "число деталей вместо заданного в файле"}},
+         .text = {"number of parts, instead of the file's",
+                  "число деталей вместо заданного в файле"}},
         {.name = "--seed",
          .value = integer("S", 0, highestInteger),
          .text = {"seed, instead of the file's", "номер выборки вместо заданного в файле"}},
@@ -181,11 +161,9 @@ std::vector<Option> batchOptions() {
         {.name = "--measured",
          .value = file("BLANKS.csv"),
          .text = {"CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …): their "
-                  "values "
-                  "take the place of the file's laws",
+                  "values replace the file's laws",
                   "CSV со столбцами факторов (stock_mm, initial_runout_mm, …): их значения вместо "
-                  "законов "
-                  "распределения файла"}},
+                  "законов распределения файла"}},
         {.name = "--until-width",
          .value = number("W", "a width in µm", aboveZero, 1e9),
          .text = {"ends as soon as every 95 % interval of a mean is W µm wide at most",
@@ -199,14 +177,13 @@ std::vector<Option> batchOptions() {
          .value = file("OUT.csv"),
          .text =
              {"writes a row for every part: its factors, all quantities, and whether each "
-              "requirement "
-              "is met; the same for any number of threads, and no file when it is ended by Ctrl+C",
+              "requirement is met; the file is the same for any number of threads, and is not "
+              "written after Ctrl+C",
               "пишет строку на деталь: её факторы, все показатели, выполнено ли каждое требование; "
               "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
         {.name = "--force",
          .needs = "--rows",
-         .text = {"--rows may take the place of a file",
-                  "--rows может заменить существующий файл"}},
+         .text = {"--rows may replace a file", "--rows может заменить существующий файл"}},
         json,
         csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
         {.name = "--shard",
@@ -220,14 +197,13 @@ std::vector<Option> batchOptions() {
 }
 
 Command batchCommand() {
-    return {
-        "batch",
-        oneFile,
-        {"runs the batch of a project file: its parts differ by the factors given there. Ctrl+C "
-         "ends it; what is done until then is evaluated and printed",
-         "рассчитывает партию файла проекта: детали отличаются заданными в нём факторами. Ctrl+C "
-         "прерывает расчёт, сделанное оценивается и печатается"},
-        batchOptions()};
+    return {"batch",
+            oneFile,
+            {"runs the batch of a project file: its parts differ by the factors given there. "
+             "Ctrl+C ends it; the parts done until then are evaluated and printed",
+             "рассчитывает партию файла проекта: детали отличаются заданными в нём факторами. "
+             "Ctrl+C прерывает расчёт, сделанное оценивается и печатается"},
+            batchOptions()};
 }
 
 Command mergeCommand() {
@@ -256,59 +232,53 @@ Command sweepCommand() {
 }
 
 Command phasesCommand() {
-    return {
-        "phases",
-        oneFile,
-        {"decides for which stocks of the blank the cycle meets every requirement, under gauge "
-         "control: where the last step of a stage falls changes with the stock, and the size "
-         "with it. Every stock of the range is decided, none is sampled",
-         "решает, при каких припусках заготовки цикл выдерживает все требования при управлении "
-         "от прибора: от припуска зависит, куда придётся последний шаг ступени, а от него "
-         "размер. Решено о каждом припуске диапазона, выборки нет"},
-        {surface,
-         {.name = "--from",
-          .value = number("MM", "a stock per side in mm", aboveZero, 1e3),
-          .text = {"minimum stock per side in mm, instead of the file's less half the maximum "
-                   "infeed of a "
-                   "stage",
-                   "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
-                   "наибольшей подачи на шаг"}},
-         {.name = "--to",
-          .value = number("MM", "a stock per side in mm", aboveZero, 1e3),
-          .text =
-              {"maximum stock per side in mm, instead of the file's plus half the maximum infeed "
-               "of "
-               "a stage",
-               "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
-               "наибольшей подачи на шаг"}},
-         json,
-         check({"exit status 4 when the cycle is unfit for a stock",
-                "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
+    return {"phases",
+            oneFile,
+            {"decides for which stocks of the blank the cycle meets every requirement, under gauge "
+             "control: the position of the last step of a stage changes with the stock, and the "
+             "size with it. Every stock of the range is decided, none is sampled",
+             "решает, при каких припусках заготовки цикл выдерживает все требования при управлении "
+             "от прибора: от припуска зависит, куда придётся последний шаг ступени, а от него "
+             "размер. Решено о каждом припуске диапазона, выборки нет"},
+            {surface,
+             {.name = "--from",
+              .value = number("MM", "a stock per side in mm", aboveZero, 1e3),
+              .text = {"minimum stock per side in mm, instead of the file's less half the maximum "
+                       "infeed of a stage",
+                       "наименьший припуск на сторону в мм вместо припуска файла за вычетом "
+                       "половины наибольшей подачи на шаг"}},
+             {.name = "--to",
+              .value = number("MM", "a stock per side in mm", aboveZero, 1e3),
+              .text = {"maximum stock per side in mm, instead of the file's plus half the maximum "
+                       "infeed of a stage",
+                       "наибольший припуск на сторону в мм вместо припуска файла с прибавлением "
+                       "половины наибольшей подачи на шаг"}},
+             json,
+             check({"exit status 4 when the cycle is unfit for a stock",
+                    "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
 }
 
 Command dressingCommand() {
-    return {
-        "dressing",
-        oneFile,
-        {"runs part after part with the wheel as left by the parts before, by the wear in the "
-         "file, until the first part that is not good: the parts between two dressings. With "
-         "the rates of optimisation/cost also the number of parts after which dressing is "
-         "quickest and cheapest",
-         "рассчитывает деталь за деталью с кругом, каким его оставили предыдущие по износу из "
-         "файла, до первой негодной: число деталей между двумя правками. Если задана "
-         "optimisation/cost, также через сколько деталей правка выгоднее всего по времени и по "
-         "стоимости"},
-        {{.name = "--scenarios",
-          .value = choice("corners latin_hypercube sobol random", "HOW"),
-          .text =
-              {"the cycle must also be fit for the parts of the surface's batch, chosen by "
-               "corners, latin_hypercube, sobol or random",
-               "каждая деталь должна быть годна и для деталей партии поверхности, выбранных как "
-               "corners, latin_hypercube, sobol или random"}},
-         json,
-         check({"exit status 4 when no part is good",
-                "код завершения 4, если не годна ни одна деталь"}),
-         progress}};
+    return {"dressing",
+            oneFile,
+            {"runs part after part with the wheel as left by the parts before, by the wear in the "
+             "file, until the first part that is not good: the parts between two dressings. With "
+             "the rates of optimisation/cost also the number of parts after which dressing is "
+             "quickest and cheapest",
+             "рассчитывает деталь за деталью с кругом, каким его оставили предыдущие по износу из "
+             "файла, до первой негодной: число деталей между двумя правками. Если задана "
+             "optimisation/cost, также через сколько деталей правка выгоднее всего по времени и по "
+             "стоимости"},
+            {{.name = "--scenarios",
+              .value = choice("corners latin_hypercube sobol random", "HOW"),
+              .text = {"the cycle must also be fit for the parts of the surface's batch, chosen by "
+                       "corners, latin_hypercube, sobol or random",
+                       "каждая деталь должна быть годна и для деталей партии поверхности, "
+                       "выбранных как corners, latin_hypercube, sobol или random"}},
+             json,
+             check({"exit status 4 when no part is good",
+                    "код завершения 4, если не годна ни одна деталь"}),
+             progress}};
 }
 
 std::vector<Option> measuredOptions() {
@@ -316,96 +286,75 @@ std::vector<Option> measuredOptions() {
         surface,
         {.name = "--data",
          .value = file("TABLE.csv"),
-         .text =
-             {"reads a table of parts or traces, too: a CSV file in either dialect whose headings "
-              "name "
-              "quantities and units (\"Diameter, mm\", \"Диаметр, мм\", \"t, s\", \"P [kW]\"), or "
-              "lines "
-              "time|key|value",
-              "читает ещё и таблицу деталей или записей: CSV любого диалекта, заголовки которого "
-              "называют величины и единицы («Diameter, mm», «Диаметр, мм», «t, s», «P [kW]»), или "
-              "строки "
-              "time|key|value"}},
+         .text = {"reads a table of parts or traces, too: a CSV file in either dialect whose "
+                  "headings name quantities and units (\"Diameter, mm\", \"Диаметр, мм\", \"t, "
+                  "s\", \"P [kW]\"), or lines time|key|value",
+                  "читает ещё и таблицу деталей или записей: CSV любого диалекта, заголовки "
+                  "которого называют величины и единицы («Diameter, mm», «Диаметр, мм», «t, s», «P "
+                  "[kW]»), или строки time|key|value"}},
         {.name = "--fit",
          .value = textLike("PARAMETER,…", "parameters, as alpha,beta,size_offset"),
          .text =
              {"finds parameters from the traces and diameters: alpha, beta, compliance (of all, or "
               "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
-              "friction_power, "
-              "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, "
-              "gauge_lag, "
-              "gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 has the mean and the "
-              "standard "
-              "deviation of what is known before; names what the data cannot tell and what "
-              "to measure; exit status 4 when the model does not fit, a time, lag or drift that it "
-              "needs is left out, or a value lies outside its usual range",
+              "friction_power, idle_power, size_offset, time_shift, power_delay, force_delay, "
+              "blank_runout, gauge_lag, gauge_drift, of finished parts gauge_setting; beta=1.2~0.1 "
+              "states the mean and the standard deviation known before; names undetermined "
+              "parameters and what to measure; exit status 4 when the model does not fit, or a "
+              "time, lag or drift that it needs is left out",
               "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
               "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
-              "friction_power, "
-              "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout, "
-              "gauge_lag, "
-              "gauge_drift, по готовым деталям gauge_setting; beta=1.2~0.1 — с тем, что известно "
-              "заранее: "
-              "среднее и его стандартное отклонение; называет то, чего по данным определить "
-              "нельзя, и что измерить; код завершения 4, если модель не подходит, не учтён нужный "
-              "ей "
-              "сдвиг, запаздывание или дрейф или значение лежит вне обычного диапазона"}},
+              "friction_power, idle_power, size_offset, time_shift, power_delay, force_delay, "
+              "blank_runout, gauge_lag, gauge_drift, по готовым деталям gauge_setting; "
+              "beta=1.2~0.1 — с тем, что известно заранее: среднее и его стандартное отклонение; "
+              "называет то, чего по данным определить нельзя, и что измерить; код завершения 4, "
+              "если модель не подходит, не учтён нужный ей сдвиг, запаздывание или дрейф или "
+               "значение лежит вне обычного диапазона"}},
         {.name = "--loss",
          .value = choice("none huber tukey"),
          .needs = "--fit",
-         .text = {"of --fit: outliers weigh less (huber) or hardly count (tukey)",
+         .text = {"loss of --fit: outliers weigh less (huber) or hardly count (tukey)",
                   "для --fit: выбросы весят меньше (huber) или почти не учитываются (tukey)"}},
         {.name = "-o",
          .value = projectFile("OUT.sparkout"),
          .needs = "--fit",
-         .text = {"saves the project with the inputs that --fit has found, each with what it was "
-                  "calibrated on; nothing where it has found no values to use",
+         .text = {"saves the project with the inputs that --fit has found, each with the data of "
+                  "its calibration; saves nothing if no usable values were found",
                   "сохраняет проект с исходными данными, найденными --fit, и с тем, по чему каждое "
                   "откалибровано; ничего, если пригодных значений не найдено"}},
         {.name = "--roundness",
-         .text =
-             {"instead: the form of each zone or section after the cycle as a roundness machine "
-              "states "
-              "it, about the four reference circles, not filtered and after the Gaussian filter of "
-              "ISO "
-              "16610-21 at 15, 50 and 150 undulations per revolution",
-              "вместо этого: форма каждой зоны или сечения после цикла, как её указывает "
-              "кругломер, "
-              "относительно четырёх базовых окружностей, без фильтра и после фильтра Гаусса по ISO "
-              "16610-21 с границей 15, 50 и 150 волн на оборот"}},
+         .text = {"states instead the form of each zone or section after the cycle as a roundness "
+                  "machine does, about the four reference circles, not filtered and after the "
+                  "Gaussian filter of ISO 16610-21 at 15, 50 and 150 undulations per revolution",
+                  "вместо этого: форма каждой зоны или сечения после цикла, как её указывает "
+                  "кругломер, относительно четырёх базовых окружностей, без фильтра и после "
+                  "фильтра Гаусса по ISO 16610-21 с границей 15, 50 и 150 волн на оборот"}},
         {.name = "--profile",
          .value = file("TABLE.csv"),
-         .text = {"the same for a recorded section beside it: a table of angle [°] and radius "
-                  "[mm], or of "
-                  "deviations where the heading names µm",
+         .text = {"also states the form of a recorded section: a table of angle [°] and radius "
+                  "[mm], or of deviations if the heading names µm",
                   "то же для записанного сечения: таблица угла [°] и радиуса [мм] или отклонений, "
-                  "если в "
-                  "заголовке указаны мкм"}},
+                  "если в заголовке указаны мкм"}},
         {.name = "--trial",
          .value = textLike("PARAMETER,…", "parameters, as alpha,beta"),
-         .text = {"instead: which of 24 short trials determines these parameters best, by feed, "
-                  "spark-out "
-                  "and what is recorded, with the 95 % intervals to expect",
+         .text = {"finds instead which of 24 short trials determines these parameters best, by "
+                  "feed, spark-out and recorded quantities, with the 95 % intervals to expect",
                   "вместо этого: какой из 24 коротких опытов лучше определяет эти параметры, по "
-                  "подаче, "
-                  "выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
+                  "подаче, выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
         {.name = "--stiffness-sheet",
-         .text = {"instead: the steps, places and load of a stiffness trial",
+         .text = {"prints instead the steps, places and load of a stiffness trial",
                   "вместо этого: порядок, места и нагрузка опыта на жёсткость"}},
         {.name = "--stiffness",
          .value = file("TABLE.csv"),
-         .text = {"instead: stiffness of headstock and tailstock from a table of place [mm], load "
-                  "[N] and "
-                  "deflection [µm]",
+         .text = {"computes instead the stiffness of headstock and tailstock from a table of place "
+                  "[mm], load [N] and deflection [µm]",
                   "вместо этого: жёсткость передней и задней бабки по таблице мест [мм], нагрузок "
-                  "[Н] и "
-                  "отжатий [мкм]"}},
+                  "[Н] и отжатий [мкм]"}},
         {.name = "--indicator",
          .value = choice("part system"),
          .needs = "--stiffness --stiffness-sheet",
-         .text = {"part: it shows the part against the bed; system: against the wheel head, whose "
-                  "stiffness "
-                  "three places give too, with two it is the file's",
+         .text = {"part: the indicator shows the part against the bed; system: against the wheel "
+                  "head, whose stiffness follows from three places; with two it is the file's",
                   "part: индикатор показывает деталь относительно станины; system: относительно "
                   "шлифовальной бабки, жёсткость которой дают три места, при двух она берётся из "
                   "файла"}},
@@ -418,16 +367,15 @@ std::vector<Option> measuredOptions() {
 }
 
 Command measuredCommand() {
-    return {
-        "measured",
-        oneFile,
-        {"compares what was measured, in the file's section measured, with the predicted batch: "
-         "for each zone or section and quantity the mean with its 95 % interval, the predicted "
-         "range, Fisher's ratio of the variances, the share of the parts inside",
-         "сравнивает измеренное (раздел файла measured) с партией, которую прогнозирует модель: "
-         "для каждой зоны или сечения и каждой величины — среднее с интервалом 95 %, диапазон "
-         "прогноза, отношение дисперсий Фишера, доля деталей в этом диапазоне"},
-        measuredOptions()};
+    return {"measured",
+            oneFile,
+            {"compares the measurements in the file's section measured with the predicted batch: "
+             "for each zone or section and quantity the mean with its 95 % interval, the predicted "
+             "range, Fisher's ratio of the variances, the share of the parts inside",
+             "сравнивает измеренное (раздел файла measured) с партией, которую прогнозирует "
+             "модель: для каждой зоны или сечения и каждой величины — среднее с интервалом 95 %, "
+             "диапазон прогноза, отношение дисперсий Фишера, доля деталей в этом диапазоне"},
+            measuredOptions()};
 }
 
 Command courseCommand() {
@@ -443,8 +391,8 @@ Command courseCommand() {
         "course variants",
         {"LESSON", Kind::file, "a lesson", 1, 1},
         {"writes a work for each student of a list, valid, not solved as given, with a proved best "
-         "cycle near to the lesson's in time and margin, no two alike; beside them "
-         "stand assignments.csv to hand out and teacher-best-answers.csv to keep",
+         "cycle near to the lesson's in time and margin, no two alike; beside them stand "
+         "assignments.csv to hand out and teacher-best-answers.csv to keep",
          "записывает работу каждому студенту списка: допустимую, не решённую сразу, с доказанным "
          "лучшим циклом, близким к циклу занятия по времени и запасу, без повторов, и рядом "
          "assignments.csv для раздачи и teacher-best-answers.csv для преподавателя"},
@@ -463,7 +411,7 @@ Command courseCommand() {
           .isRequired = true,
           .text = {"the folder for the works", "папка для работ"}},
          {.name = "--force",
-          .text = {"works that are there are replaced", "имеющиеся работы заменяются"}}}};
+          .text = {"existing works are replaced", "имеющиеся работы заменяются"}}}};
     const Command grade{
         "course grade",
         {"LESSON DIR", Kind::file, "a lesson and a folder of works", 2, 2},
@@ -492,7 +440,7 @@ Command courseCommand() {
           .text = {"the workbook that --xlsx writes", "книга, которую записывает --xlsx"}},
          {.name = "--force",
           .needs = "--xlsx",
-          .text = {"a workbook that is there is replaced", "имеющаяся книга заменяется"}}}};
+          .text = {"an existing workbook is replaced", "имеющаяся книга заменяется"}}}};
     return {"course",
             {},
             {"laboratory works for a class; a lesson is a file .sparkout-lesson",
@@ -505,17 +453,16 @@ Command newCommand() {
     return {
         "new",
         {"SIZE", Kind::anything, "a size with its field, as 35k6", 1, 1},
-        {"writes a project with a starting cycle for a surface of a drawing: the size with its "
-         "field, as 35k6 or for a bore 60H7, and what is said of it below. Work speed, feeds, "
+        {"writes a project with a starting cycle for a surface of a drawing, given by its size "
+         "with the field, as 35k6 or for a bore 60H7, and the options below. Work speed, feeds, "
          "stocks and spark-out follow from diameter, stock, tolerance, material, wheel and "
-         "machine, in steps of the machine; what bounds the rough depth is printed, the times of "
-         "the stages, and for which stocks the cycle is fit; the project has a usual search about "
-         "it. A part or a wheel that the machine does not take is refused",
+         "machine, in steps of the machine; the limit of the rough depth, the times of the stages "
+         "and the stocks for which the cycle is fit are printed; the project has a typical search "
+         "about it. A part or a wheel that the machine does not take is refused",
          "записывает проект с исходным циклом для поверхности чертежа: размер с полем, например "
          "35k6, для отверстия 60H7, и то, что о нём сказано ниже. Частота вращения заготовки, "
-         "подачи, "
-         "припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга и "
-         "станка, с шагом станка; печатается, что ограничивает черновую глубину резания, время "
+         "подачи, припуски и выхаживание следуют из диаметра, припуска, допуска, материала, круга "
+         "и станка, с шагом станка; печатается, что ограничивает черновую глубину резания, время "
          "ступеней и при каких припусках цикл годен; в проекте есть обычный поиск около него. "
          "Деталь и круг, которые станок не принимает, отклоняются"},
         {{.name = "--length",
@@ -531,8 +478,8 @@ Command newCommand() {
                    "отверстие, даже если поле записано строчными буквами"}},
          {.name = "--operation",
           .value = choice("plunge traverse"),
-          .text = {"instead of plunge grinding where the wheel covers the length, else traverse "
-                   "grinding",
+          .text = {"kind of operation; by default plunge grinding if the wheel covers the length, "
+                   "otherwise traverse grinding",
                    "вместо врезного шлифования, если круг перекрывает длину, иначе с продольной "
                    "подачей"}},
          {.name = "--shoulder",
@@ -548,11 +495,10 @@ Command newCommand() {
                    "станок каталога вместо 3М151, для отверстия 3К227; достаточно части названия"}},
          {.name = "--wheel",
           .value = textLike("NAME", "a name of the catalogue"),
-          .text =
-              {"of the catalogue, instead of the one that suits machine, length, material and Ra, "
-               "for a bore the widest that goes into it",
-               "круг каталога вместо подходящего станку, длине, материалу и Ra, для отверстия — "
-               "самого большого, входящего в него"}},
+          .text = {"a wheel of the catalogue, instead of the one that suits machine, length, "
+                   "material and Ra, for a bore the widest that fits into it",
+                   "круг каталога вместо подходящего станку, длине, материалу и Ra, для отверстия "
+                   "— самого большого, входящего в него"}},
          {.name = "--material",
           .value = textLike("NAME", "a name of the catalogue"),
           .text = {"of the catalogue, instead of hardened 40Х",
@@ -561,19 +507,18 @@ Command newCommand() {
           .value = file("OUT.sparkout"),
           .isRequired = true,
           .text = {"the project", "файл проекта"}},
-         {.name = "--force",
-          .text = {"replaces a file that is there", "заменяет имеющийся файл"}}}};
+         {.name = "--force", .text = {"replaces an existing file", "заменяет имеющийся файл"}}}};
 }
 
 Command examplesCommand() {
     return {
         "examples",
         {"DIR", Kind::folder, "a folder", 1, 1},
-        {"writes the example projects into a folder, which is made if need be; where one of them "
+        {"writes the example projects into a folder, which is created if needed; if one of them "
          "was edited there, nothing is written",
          "записывает проекты-примеры в папку, создавая её при необходимости; если какой-либо из "
          "них там изменён, ничего не записывается"},
-        {{.name = "--force", .text = {"replaces those that were edited", "заменяет изменённые"}}}};
+        {{.name = "--force", .text = {"replaces edited examples", "заменяет изменённые"}}}};
 }
 
 } // namespace
@@ -595,24 +540,20 @@ const Program& commandLineProgram() {
          "проектов окна и даёт те же числа, до последнего знака."},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
           "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
-          "one "
-          "that --surface names; the wheel comes to it as the surfaces before have left it. A time "
-          "limit applies to each surface.",
+          "one that --surface names, with the wheel as the surfaces before left it. A time limit "
+          "applies to each surface.",
           "Файл может содержать несколько поверхностей детали, шлифуемых за один установ. "
-          "simulate, "
-          "remedies, optimize, batch, sweep, phases и measured берут их все по порядку или ту, что "
-          "названа в --surface; круг приходит к ней таким, каким его оставили предыдущие. Предел "
-          "времени действует для каждой поверхности."},
+          "simulate, remedies, optimize, batch, sweep, phases и measured берут их все по порядку "
+          "или ту, что названа в --surface; круг приходит к ней таким, каким его оставили "
+          "предыдущие. Предел времени действует для каждой поверхности."},
          {"In JSON and CSV the sections of a plunge and the parts of a batch are counted from 0, "
-          "as "
-          "in the file; in texts, in the window and in its reports from 1.",
+          "as in the file; in texts, in the window and in its reports from 1.",
           "В JSON и CSV сечения при врезном шлифовании и детали партии считаются с 0, как в файле; "
           "в текстах, в окне и его отчётах — с 1."},
          {"A batch on a cluster, here with Slurm: batch.sbatch, beside the examples of the "
           "installation and in resources/help of the source.",
           "Партия на кластере со Slurm: batch.sbatch, рядом с примерами установленной программы и "
-          "в "
-          "resources/help исходного кода."}},
+          "в resources/help исходного кода."}},
         {{"0", {"done", "выполнено"}},
          {"1", {"the input is refused", "исходные данные не приняты"}},
          {"2", {"wrong usage", "неверный вызов"}},
@@ -625,8 +566,7 @@ const Program& commandLineProgram() {
            "optimize не нашёл цикла, но он может существовать: истекло время или метод ничего не "
            "доказывает"}},
          {"130, 143",
-          {"ended by Ctrl+C or SIGTERM before its end; optimize with a cycle found ends with 0 and "
-           "gives it",
+          {"ended by Ctrl+C or SIGTERM; optimize with a cycle found ends with 0 and prints it",
            "прервано Ctrl+C или SIGTERM до конца; optimize с найденным циклом завершается с кодом "
            "0 и выдаёт его"}}}};
     return program;

@@ -130,7 +130,7 @@ std::string bashCompletion(const Program& program) {
 
 namespace {
 
-/// Text for single quotes in a specification of _arguments.
+/// Escapes a text for single quotes in a specification of _arguments.
 std::string zshText(std::string_view text) {
     std::string all;
     for (const char c : text) {

@@ -216,7 +216,7 @@ std::size_t Reading::readCommand(const std::vector<std::string>& words) {
         if (at < words.size() && looksLikeOption(words[at])) {
             const std::size_t next = readOption(words, at);
             if (fault.empty() && !asksForHelp && next < words.size()) {
-                fault = "nothing stands beside " + words[at] + ": " + words[next];
+                fault = "no operand is allowed with " + words[at] + ": " + words[next];
             }
             return words.size();
         }

@@ -286,8 +286,8 @@ private:
         }
     }
 
-    /// The outermost bins contain the least and the greatest value; the last ones of all contain
-    /// everything beyond.
+    /// The outermost bins contain the least and the greatest value; the outermost possible ones
+    /// contain everything beyond.
     static void checkBins(const Node& list, const ValueStatistics& values, double resolution) {
         if (values.count == 0) {
             return;

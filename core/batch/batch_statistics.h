@@ -3,7 +3,7 @@
 
 #include "core/batch/characteristics.h"
 #include "core/batch/scenario_source.h"
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 #include "core/statistics/value_bins.h"
 
 #include <array>

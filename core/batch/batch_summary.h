@@ -99,8 +99,8 @@ struct BatchVerdict {
     double value = 0; ///< a share or the lower bound of P_pk
     double limit = 0; ///< its limit for the batch
 
-    /// Whether all parts that were run are good, but not enough of the further ones are expected to
-    /// be; of a characteristic with a P_pk.
+    /// Whether all parts that were run are good, but too few further parts are expected to be; for
+    /// a characteristic with a P_pk.
     [[nodiscard]] bool missesForecast() const {
         return reason == BatchReason::outside || reason == BatchReason::ppk;
     }

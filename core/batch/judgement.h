@@ -4,7 +4,7 @@
 #include "core/batch/batch_summary.h"
 #include "core/phases/phase_decision.h"
 #include "core/quality/constraints.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/result.h"
 #include "core/simulation/result.h"
 

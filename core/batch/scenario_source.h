@@ -118,8 +118,8 @@ private:
 /// are, with 95 % confidence.
 inline constexpr int freshPartCount = 500;
 
-/// The project with a batch of so many parts, drawn at random and independently; each `draw` from 1
-/// on gives different parts, and none gives those of the batch itself.
+/// The project with a batch of this many parts, drawn at random and independently; each `draw` from
+/// 1 on gives different parts, and none gives those of the batch itself.
 [[nodiscard]] Project withFreshParts(Project project, int draw, int count = freshPartCount);
 
 } // namespace sparkout

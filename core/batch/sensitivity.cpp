@@ -39,7 +39,7 @@ Eigen::VectorXd centredRanks(const std::vector<double>& values) {
     return ranks;
 }
 
-/// The least number of parts for a regression on so many factors.
+/// The least number of parts for a regression on this many factors.
 std::size_t leastParts(std::size_t factors) {
     return 2 * factors + 2;
 }

@@ -11,7 +11,7 @@ namespace sparkout {
 
 /// Standardised rank regression of a batch: the coefficients of the least-squares plane through the
 /// ranks of a characteristic over the ranks of the factors [IMAN1979]. Sign and size show direction
-/// and weight as far as the dependence is monotonic; R² shows how far that is.
+/// and weight as far as the dependence is monotonic; R² shows to what extent.
 struct RankRegression {
     std::vector<double> coefficients; ///< by factor
     double determination = 0;         ///< R²

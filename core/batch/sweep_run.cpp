@@ -329,7 +329,7 @@ constexpr Output<SweepResult> sweepRows[] = {
 };
 
 constexpr Output<SweptInput> sweptInputRows[] = {
-    {{.key = "input", .hint = "JSON pointer of what is varied"},
+    {{.key = "input", .hint = "JSON pointer of the varied input"},
      [](const SweptInput& i) { return i.axis.input; }},
     {{.key = "unit", .hint = "unit of its values"}, [](const SweptInput& i) { return i.unit; }},
 };
@@ -337,7 +337,7 @@ constexpr Output<SweptInput> sweptInputRows[] = {
 constexpr Output<SweepPoint> sweepPointRows[] = {
     {{.key = "status", .hint = "not_run, refused, cannot_reach_size or completed"},
      [](const SweepPoint& p) { return std::string(sweepStatusKey(p.status)); }},
-    {{.key = "ok", .hint = "whether every requirement holds"},
+    {{.key = "ok", .hint = "whether every requirement is met"},
      [](const SweepPoint& p) { return p.good; }},
 };
 
@@ -360,7 +360,7 @@ constexpr Output<SweepFigure> sweepFigureRows[] = {
     {{.key = "value"}, [](const SweepFigure& f) { return f.value.value; }},
     sweepNumber<&SweepValue::low>("low", "lower limit"),
     sweepNumber<&SweepValue::high>("high", "upper limit"),
-    sweepNumber<&SweepValue::margin>("margin", "positive when it holds"),
+    sweepNumber<&SweepValue::margin>("margin", "positive when the requirement is met"),
 };
 
 ordered_json pointJson(const SweepResult& sweep, std::size_t index,

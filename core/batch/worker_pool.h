@@ -11,7 +11,7 @@ namespace sparkout {
 /// Number of threads: the requested one, or as many as the processor runs at once.
 [[nodiscard]] std::size_t workerCount(int asked);
 
-/// Calls work(worker, index) once for every index first…end−1 on so many threads, including the
+/// Calls work(worker, index) once for every index first…end−1 on this many threads, including the
 /// caller's. A stop request, or work() returning false, ends it early.
 void forEachIndex(std::size_t workers, std::int64_t first, std::int64_t end,
                   const std::stop_token& stop,

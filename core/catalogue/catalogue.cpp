@@ -4,7 +4,7 @@
 #include "core/catalogue/catalogue_check.h"
 #include "core/file/project_file.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/conditions.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -150,7 +150,7 @@ using nlohmann::ordered_json;
 Row nameRow() {
     return {.label = SPARKOUT_NOOP("Input", "Name"),
             .required = conditions::always,
-            .hint = SPARKOUT_NOOP("Input", "Name to search by.")};
+            .hint = SPARKOUT_NOOP("Input", "Name used in searches.")};
 }
 
 Row noteRow() {
@@ -161,12 +161,12 @@ Row noteRow() {
 
 Row russianNoteRow() {
     return {.label = SPARKOUT_NOOP("Input", "Note in Russian"),
-            .hint = SPARKOUT_NOOP("Input", "The same for the Russian window.")};
+            .hint = SPARKOUT_NOOP("Input", "The note in the Russian window.")};
 }
 
 Row sourcesRow() {
     return {.label = SPARKOUT_NOOP("Input", "Sources"),
-            .hint = SPARKOUT_NOOP("Input", "Where each number comes from.")};
+            .hint = SPARKOUT_NOOP("Input", "Source of each number.")};
 }
 
 /// The rows that all kinds of entries share.

@@ -2,7 +2,7 @@
 #include "core/file/project_json.h"
 
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/conditions.h"
 #include "core/project/range_check.h"
 #include "core/project/validate.h"

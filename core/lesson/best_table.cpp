@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/best_table.h"
 
-#include "core/file/cell_reader.h"
 #include "core/file/csv_line.h"
+#include "core/file/text_table.h"
 #include "core/lesson/goal_check.h"
 #include "core/project/cycle.h"
 #include "core/project/validate.h"

@@ -209,7 +209,7 @@ constexpr std::array<FigureRow, figureCount> figureRows{{
      FigureScope::step,
      false},
     {FigureName::lag,
-     {"lag_um", SPARKOUT_NOOP("Figure", "Programmed less actual feed, accumulated")},
+     {"lag_um", SPARKOUT_NOOP("Figure", "Programmed minus actual feed, accumulated")},
      "µm",
      2,
      FigureScope::step,
@@ -252,7 +252,7 @@ constexpr std::array<FigureRow, figureCount> figureRows{{
      FigureScope::step,
      false},
     {FigureName::batchBad,
-     {"batch_bad_percent", SPARKOUT_NOOP("Figure", "Parts of the batch that are not good")},
+     {"batch_bad_percent", SPARKOUT_NOOP("Figure", "Rejected parts of the batch")},
      "%",
      1,
      FigureScope::batch,
@@ -382,9 +382,9 @@ std::span<const Choice> choicesOf<Step>() {
 template <>
 const StructInfo& tableOf<Figure>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Figure, name, .label = SPARKOUT_NOOP("Input", "Figure"),
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "By its name; the unit is in it.")),
+        SPARKOUT_FIELD(
+            Figure, name, .label = SPARKOUT_NOOP("Input", "Figure"), .required = conditions::always,
+            .hint = SPARKOUT_NOOP("Input", "Name of the quantity; it contains the unit.")),
         SPARKOUT_FIELD(Figure, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "none is needed"),
                        .hint = SPARKOUT_NOOP(
@@ -396,7 +396,7 @@ const StructInfo& tableOf<Figure>() {
                        .label = SPARKOUT_NOOP("Input", "Double stroke or revolution"),
                        .hard = {1, 10000000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the last one of the stage"),
-                       .hint = SPARKOUT_NOOP("Input", "Of the cycle, counted from 1.")),
+                       .hint = SPARKOUT_NOOP("Input", "Number within the cycle, counted from 1.")),
         SPARKOUT_FIELD(Figure, step, .label = SPARKOUT_NOOP("Input", "Step of the double stroke"),
                        .sparse = true, .hint = SPARKOUT_NOOP("Input", "In a traverse cycle.")),
     };

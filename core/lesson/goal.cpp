@@ -11,15 +11,13 @@ namespace sparkout {
 template <>
 const StructInfo& tableOf<Bilingual>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Bilingual, ru, .label = SPARKOUT_NOOP("Input", "In Russian"), .sparse = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "With the tags of the help's pages that fetch nothing; formulas stand "
-                           "in `<p class=\"formula\">`.")),
+        SPARKOUT_FIELD(
+            Bilingual, ru, .label = SPARKOUT_NOOP("Input", "In Russian"), .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "With the tags of the help's pages that fetch nothing; "
+                                           "formulas stand in `<p class=\"formula\">`.")),
         SPARKOUT_FIELD(
             Bilingual, en, .label = SPARKOUT_NOOP("Input", "In English"), .sparse = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "The same. Where one language is missing, the other is shown.")),
+            .hint = SPARKOUT_NOOP("Input", "If one language is missing, the other is shown.")),
     };
     static const StructInfo info =
         makeTable<Bilingual>(SPARKOUT_NOOP("Struct", "Text in both languages"), rows);
@@ -88,18 +86,17 @@ const StructInfo& tableOf<RequirementsGoal>() {
         SPARKOUT_FIELD(
             RequirementsGoal, least_margin_percent,
             .label = SPARKOUT_NOOP("Input", "Minimum margin"), .unit = "%", .hard = {0, 100},
-            .hint = SPARKOUT_NOOP(
-                "Input", "The relative margin that the worst requirement is to have left.")),
-        SPARKOUT_FIELD(RequirementsGoal, every_stock,
-                       .label = SPARKOUT_NOOP("Input", "For every stock"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "Under gauge control the requirements are to hold for "
-                                             "every stock within one infeed of the last stage, as "
-                                             "the verdict judges it; else for the part that is "
-                                             "run.")),
+            .hint =
+                SPARKOUT_NOOP("Input", "Relative margin that the worst requirement must have.")),
+        SPARKOUT_FIELD(
+            RequirementsGoal, every_stock, .label = SPARKOUT_NOOP("Input", "For every stock"),
+            .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "Under gauge control the requirements must be met for "
+                                           "every stock within one infeed of the last stage, as in "
+                                           "the verdict; otherwise for the part that is run.")),
     };
     static const StructInfo info =
-        makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements hold"), rows);
+        makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements are met"), rows);
     return info;
 }
 
@@ -110,12 +107,13 @@ const StructInfo& tableOf<TimeGoal>() {
                        .hard = {0, 100000, true},
                        .nullMeaning = SPARKOUT_NOOP(
                            "Input", "it follows from the proved best of each variant")),
-        SPARKOUT_FIELD(TimeGoal, within_percent_of_best,
-                       .label = SPARKOUT_NOOP("Input", "Maximum excess over the best"), .unit = "%",
-                       .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Of the quickest cycle of the project's grid that meets every "
-                                    "requirement, as the search proves it for each variant.")),
+        SPARKOUT_FIELD(
+            TimeGoal, within_percent_of_best,
+            .label = SPARKOUT_NOOP("Input", "Maximum excess over the best"), .unit = "%",
+            .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Relative to the quickest cycle of the project's grid that meets "
+                                  "every requirement, proved by the search for each variant.")),
         SPARKOUT_FIELD(TimeGoal, requirements_hold,
                        .label = SPARKOUT_NOOP("Input", "Every requirement must be met too")),
     };
@@ -174,8 +172,8 @@ const StructInfo& tableOf<CurvePrediction>() {
                        .hard = {0, 10000000}, .required = conditions::always, .whole = true,
                        .hint = SPARKOUT_NOOP(
                            "Input",
-                           "Where the drawn curve is compared: double strokes, revolutions and "
-                           "stages from 1, sections from 0, zones as 0, 1, 2.")),
+                           "Places where the drawn curve is compared: double strokes, revolutions "
+                           "and stages from 1, sections from 0, zones as 0, 1, 2.")),
         SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
                        .hard = {0, largestNumber},
                        .hint = SPARKOUT_NOOP("Input", "±, in the quantity's unit.")),
@@ -186,9 +184,9 @@ const StructInfo& tableOf<CurvePrediction>() {
                 "Input",
                 "Relative to the engine's value. The larger of the two tolerances applies.")),
         SPARKOUT_FIELD(CurvePrediction, least_share_percent,
-                       .label = SPARKOUT_NOOP("Input", "Share within it"), .unit = "%",
+                       .label = SPARKOUT_NOOP("Input", "Share within the tolerance"), .unit = "%",
                        .hard = {1, 100},
-                       .hint = SPARKOUT_NOOP("Input", "Of the places where it is compared.")),
+                       .hint = SPARKOUT_NOOP("Input", "Share of the places where it is compared.")),
     };
     static const StructInfo info =
         makeTable<CurvePrediction>(SPARKOUT_NOOP("Struct", "Curve predicted"), rows);
@@ -199,11 +197,11 @@ template <>
 const StructInfo& tableOf<OrderPrediction>() {
     static const std::array rows{
         SPARKOUT_FIELD(OrderPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
-        SPARKOUT_FIELD(OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Alike within"),
-                       .hard = {0, largestNumber},
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Places whose values are no further apart may stand in either "
-                                    "order.")),
+        SPARKOUT_FIELD(
+            OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Tolerance of the order"),
+            .hard = {0, largestNumber},
+            .hint = SPARKOUT_NOOP(
+                "Input", "Places whose values are no further apart may stand in either order.")),
     };
     static const StructInfo info =
         makeTable<OrderPrediction>(SPARKOUT_NOOP("Struct", "Order predicted"), rows);
@@ -227,10 +225,10 @@ const StructInfo& tableOf<ChoiceGoal>() {
         SPARKOUT_FIELD(ChoiceGoal, options, .label = SPARKOUT_NOOP("Input", "Options"),
                        .hard = {2, 20}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "A student's file does not say which of them are right.")),
+                           "Input", "A student's file does not state which options are right.")),
     };
     static const StructInfo info =
-        makeTable<ChoiceGoal>(SPARKOUT_NOOP("Struct", "Right ones chosen"), rows);
+        makeTable<ChoiceGoal>(SPARKOUT_NOOP("Struct", "Right options chosen"), rows);
     return info;
 }
 
@@ -249,7 +247,7 @@ const StructInfo& tableOf<TextGoal>() {
 template <>
 const StructInfo& tableOf<Goal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements hold"),
+        SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements are met"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "The cycle ends by itself and every requirement is met.")),
@@ -289,14 +287,14 @@ const StructInfo& tableOf<Answer>() {
         SPARKOUT_FIELD(Answer, setup, .label = "Set-up", .sparse = true,
                        .hint = "The project as the student has set it, as in a project file."),
         SPARKOUT_FIELD(Answer, number, .label = "Number", .hard = {-largestNumber, largestNumber},
-                       .nullMeaning = "none is asked for"),
+                       .nullMeaning = "not asked for"),
         SPARKOUT_FIELD(Answer, curve, .label = "Curve", .hard = {-largestNumber, largestNumber},
-                       .nullMeaning = "none is asked for", .hint = "Rows of x and y, x rising."),
+                       .nullMeaning = "not asked for", .hint = "Rows of x and y, x rising."),
         SPARKOUT_FIELD(Answer, order, .label = "Order", .hard = {0, 100000},
-                       .nullMeaning = "none is asked for",
+                       .nullMeaning = "not asked for",
                        .hint = "Zones or sections from 0, the largest first."),
         SPARKOUT_FIELD(Answer, chosen, .label = "Options chosen", .hard = {1, 20},
-                       .nullMeaning = "none is asked for", .hint = "From 1."),
+                       .nullMeaning = "not asked for", .hint = "From 1."),
         SPARKOUT_FIELD(Answer, text, .label = "Text", .sparse = true),
     };
     static const StructInfo info = makeTable<Answer>("Answer", rows);

@@ -146,7 +146,7 @@ const StructInfo& tableOf<TextGoal>();
 template <>
 const StructInfo& tableOf<Goal>();
 
-/// A student's answer to a step; what its goal does not ask for is not given.
+/// A student's answer to a step; members that its goal does not ask for are not given.
 struct Answer {
     JsonText setup; ///< set-up as the text of a project file; {}: unchanged from the beginning of
                     ///< the step

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-/// Checks of a student's settings and answers by the engine. The texts are in words/lesson_words.h.
+/// Checks of a student's settings and answers by the engine. The texts are in words/goal_words.h.
 namespace sparkout {
 
 enum class Finding {
@@ -21,7 +21,7 @@ enum class Finding {
     failed,
     notAnswered,  ///< nothing was handed in, or not what the goal requires
     forTeacher,   ///< words, which the teacher reads
-    forbidden,    ///< inputs were changed that are not free
+    forbidden,    ///< locked inputs were changed
     refused,      ///< the set-up has errors and was not run
     doesNotEnd,   ///< the cycle does not end by itself
     noSuchFigure, ///< the run does not have this figure, or strips stay uncut

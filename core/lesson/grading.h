@@ -30,10 +30,10 @@ enum class WorkFlag {
     edited,        ///< a seal is broken, or its lesson or variant is not the one given out
     copied,        ///< its variant or its entries equal those of another student's work
     handedInTwice, ///< the same student handed in another work
-    notInGroup,    ///< the list has no such student
+    notInGroup,    ///< the list does not contain this student
     untrueRuns,    ///< numbers of a kept run differ from the engine's
     late,          ///< a prediction was made after its result was known
-    forbidden,     ///< inputs were changed that are not free
+    forbidden,     ///< locked inputs were changed
     missing,       ///< nothing was handed in
     overBudget,    ///< marking took too long: some of it is left out
 };

@@ -152,7 +152,7 @@ const StructInfo& tableOf<TeachingGuide>() {
     static const std::array rows{
         SPARKOUT_FIELD(TeachingGuide, minutes, .label = SPARKOUT_NOOP("Input", "Time norm"),
                        .unit = "min", .hard = {1, 10000},
-                       .hint = SPARKOUT_NOOP("Input", "Of the whole work, by a student.")),
+                       .hint = SPARKOUT_NOOP("Input", "Time of a student for the whole work.")),
         SPARKOUT_FIELD(TeachingGuide, questions,
                        .label = SPARKOUT_NOOP("Input", "Control questions"), .hard = {0, 100},
                        .sparse = true,
@@ -188,6 +188,10 @@ Lesson forStudents(Lesson lesson) {
         surface.project.measured.reset();
     }
     return lesson;
+}
+
+const Project& projectOf(const Lesson& lesson, std::size_t step) {
+    return lesson.base.surfaces[static_cast<std::size_t>(lesson.steps[step].surface) - 1].project;
 }
 
 Setup setupOf(const Lesson& lesson, std::size_t step) {
@@ -254,11 +258,12 @@ std::span<const Choice> choicesOf<Access>() {
 template <>
 const StructInfo& tableOf<InputAccess>() {
     static const std::array rows{
-        SPARKOUT_FIELD(InputAccess, path, .label = SPARKOUT_NOOP("Input", "Input"),
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Path of an input, or of all below it, as `/wheel/dullness` or "
-                                    "`/cycle`. Of several that name an input the longest holds.")),
+        SPARKOUT_FIELD(
+            InputAccess, path, .label = SPARKOUT_NOOP("Input", "Input"),
+            .required = conditions::always,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Path of an input, or of all below it, as `/wheel/dullness` or "
+                                  "`/cycle`. Of several that name an input the longest applies.")),
         SPARKOUT_FIELD(InputAccess, access, .label = SPARKOUT_NOOP("Input", "Access"),
                        .required = conditions::always),
     };
@@ -285,8 +290,8 @@ const StructInfo& tableOf<ShownMoment>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             ShownMoment, view, .label = SPARKOUT_NOOP("Input", "View"), .sparse = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "By its name for `--view`; not given: the one in front stays.")),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Name of the view as for `--view`; not given: the current view stays.")),
         SPARKOUT_FIELD(ShownMoment, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
         SPARKOUT_FIELD(ShownMoment, stage, .label = SPARKOUT_NOOP("Input", "Stage"),
@@ -309,7 +314,8 @@ const StructInfo& tableOf<LessonStep>() {
         SPARKOUT_FIELD(LessonStep, task, .label = SPARKOUT_NOOP("Input", "Task")),
         SPARKOUT_FIELD(LessonStep, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
                        .hard = {1, 20}, .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "The one that the step is about, from 1.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Number of the surface that the step is about, from 1.")),
         SPARKOUT_FIELD(
             LessonStep, values, .label = SPARKOUT_NOOP("Input", "Values"), .hard = {0, 100},
             .sparse = true,
@@ -322,7 +328,7 @@ const StructInfo& tableOf<LessonStep>() {
         SPARKOUT_FIELD(LessonStep, hidden, .label = SPARKOUT_NOOP("Input", "Hidden"),
                        .hard = {0, 100}, .sparse = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Views, panels and commands that are not there in this step.")),
+                           "Input", "Views, panels and commands that are hidden in this step.")),
         SPARKOUT_FIELD(LessonStep, goal, .label = SPARKOUT_NOOP("Input", "Goal"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Exactly one kind.")),
@@ -348,10 +354,10 @@ const StructInfo& tableOf<LessonSheet>() {
                        .hard = {1, 100}, .required = conditions::always),
         SPARKOUT_FIELD(LessonSheet, variants, .label = SPARKOUT_NOOP("Input", "Variants"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "all students have the same project"),
-                       .hint = SPARKOUT_NOOP("Input", "In the teacher's file alone.")),
+                       .hint = SPARKOUT_NOOP("Input", "Only in the teacher's file.")),
         SPARKOUT_FIELD(LessonSheet, guide, .label = SPARKOUT_NOOP("Input", "Guide for the teacher"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "none is printed"),
-                       .hint = SPARKOUT_NOOP("Input", "In the teacher's file alone.")),
+                       .hint = SPARKOUT_NOOP("Input", "Only in the teacher's file.")),
     };
     static const StructInfo info = makeTable<LessonSheet>(SPARKOUT_NOOP("Struct", "Lesson"), rows);
     return info;

@@ -144,6 +144,9 @@ struct Lesson : LessonSheet {
 /// the right options, and kept runs and measurements, which may show an answer.
 [[nodiscard]] Lesson forStudents(Lesson lesson);
 
+/// The lesson's own project of the surface that a step is about.
+[[nodiscard]] const Project& projectOf(const Lesson& lesson, std::size_t step);
+
 /// The initial set-up of a step.
 [[nodiscard]] Setup setupOf(const Lesson& lesson, std::size_t step);
 

@@ -2,7 +2,7 @@
 #include "core/lesson/lesson_file.h"
 
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/lesson/lesson_json.h"
 #include "core/lesson/text_markup.h"
 #include "core/project/cycle.h"

@@ -2,7 +2,7 @@
 #include "core/lesson/lesson_json.h"
 
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/setup/setup_file.h"
 
 #include <algorithm>

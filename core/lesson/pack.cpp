@@ -2,7 +2,7 @@
 #include "core/lesson/pack.h"
 
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/lesson/lesson_json.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void refuse(Issues& issues, IssueCode code, const std::string& path, Detail valu
     addIssue(issues, {code, Severity::error, path, std::move(value), std::move(limit)});
 }
 
-/// Reads a text of at most so many bytes; empty if missing.
+/// Reads a text of at most this many bytes; empty if missing.
 std::string readText(const json& object, const char* key, std::size_t most, const std::string& path,
                      Issues& issues) {
     const auto found = object.find(key);

@@ -107,7 +107,7 @@ const StructInfo& tableOf<ValueSet>() {
     static const std::array rows{
         SPARKOUT_FIELD(ValueSet, name, .label = SPARKOUT_NOOP("Input", "Name of the set"),
                        .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "As the entry of the catalogue is called.")),
+                       .hint = SPARKOUT_NOOP("Input", "Name of the catalogue entry.")),
         SPARKOUT_FIELD(ValueSet, values, .label = SPARKOUT_NOOP("Input", "Values"),
                        .hard = {1, 100}, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "They are stored in the lesson itself: later "
@@ -155,18 +155,17 @@ const StructInfo& tableOf<Difficulty>() {
         SPARKOUT_FIELD(
             Difficulty, least_time_percent, .label = SPARKOUT_NOOP("Input", "Minimum best time"),
             .unit = "%", .hard = {0, 100},
-            .hint = SPARKOUT_NOOP("Input", "Of the best time of the lesson as it stands.")),
+            .hint = SPARKOUT_NOOP("Input", "Relative to the best time of the original lesson.")),
         SPARKOUT_FIELD(
             Difficulty, most_time_percent, .label = SPARKOUT_NOOP("Input", "Maximum best time"),
             .unit = "%", .hard = {100, 100000},
-            .hint = SPARKOUT_NOOP("Input", "Of the best time of the lesson as it stands.")),
+            .hint = SPARKOUT_NOOP("Input", "Relative to the best time of the original lesson.")),
         SPARKOUT_FIELD(
             Difficulty, margin_within_percent, .label = SPARKOUT_NOOP("Input", "Margin within"),
             .unit = "%", .hard = {0, 1000},
             .hint = SPARKOUT_NOOP(
-                "Input",
-                "How far the minimum relative margin of the best answer may be from that of "
-                "the lesson as it stands, in percentage points.")),
+                "Input", "Largest difference between the minimum relative margin of the best "
+                         "answer and that of the original lesson, in percentage points.")),
     };
     static const StructInfo info =
         makeTable<Difficulty>(SPARKOUT_NOOP("Struct", "Difficulty"), rows);
@@ -182,8 +181,8 @@ const StructInfo& tableOf<FigureBound>() {
         SPARKOUT_FIELD(
             FigureBound, step, .label = SPARKOUT_NOOP("Input", "Step"), .hard = {1, 100},
             .sparse = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "The figure is that of the project as the step begins; from 1.")),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Number of the step whose initial project has the figure, from 1.")),
         SPARKOUT_FIELD(FigureBound, least, .label = SPARKOUT_NOOP("Input", "Minimum"),
                        .hard = {-largest, largest},
                        .nullMeaning = SPARKOUT_NOOP("Input", "no minimum"),
@@ -201,10 +200,11 @@ const StructInfo& tableOf<FigureBound>() {
 template <>
 const StructInfo& tableOf<VariantRules>() {
     static const std::array rows{
-        SPARKOUT_FIELD(VariantRules, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"),
-                       .hard = {1, 20}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Every value of each goes with every value "
-                                                      "of the others.")),
+        SPARKOUT_FIELD(
+            VariantRules, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"), .hard = {1, 20},
+            .required = conditions::always,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Every value of each input is combined with every value of the others.")),
         SPARKOUT_FIELD(
             VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
             .hint = SPARKOUT_NOOP("Input", "Permitted difference between the best answers.")),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/work.h"
 
-#include "core/file/cell_reader.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
+#include "core/file/text_table.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_json.h"
 #include "core/printable.h"
@@ -393,7 +393,7 @@ double priceOf(const LessonStep& step, const StepRecord& record) {
 
 template <>
 std::span<const Choice> choicesOf<WorkEvent>() {
-    static constexpr std::array choices{Choice{"prediction", "said before the run"},
+    static constexpr std::array choices{Choice{"prediction", "predicted before the run"},
                                         Choice{"attempt", "handed in"},
                                         Choice{"hint", "hint taken"}, Choice{"run", "run kept"}};
     return choices;
@@ -408,11 +408,11 @@ const StructInfo& tableOf<WorkEntry>() {
         SPARKOUT_FIELD(WorkEntry, when, .label = "When", .required = conditions::always,
                        .hint = "By the clock of the student's machine, UTC."),
         SPARKOUT_FIELD(WorkEntry, answer, .label = "Answer", .sparse = true,
-                       .hint = "Of a prediction or an attempt."),
+                       .hint = "Answer of a prediction or an attempt."),
         SPARKOUT_FIELD(WorkEntry, hint, .label = "Hint", .hard = {1, 20},
                        .nullMeaning = "the entry is no hint", .hint = "Counted from 1."),
         SPARKOUT_FIELD(WorkEntry, run, .label = "Run", .nullMeaning = "the entry is no run",
-                       .hint = "As a project file keeps it."),
+                       .hint = "Kept run as in a project file."),
         SPARKOUT_FIELD(WorkEntry, sha256, .label = "Seal", .required = conditions::always,
                        .hint = "SHA-256 of the seal before and of this entry."),
     };
@@ -426,19 +426,19 @@ const StructInfo& tableOf<WorkSheet>() {
         SPARKOUT_FIELD(WorkSheet, name, .label = "Student", .required = conditions::always),
         SPARKOUT_FIELD(WorkSheet, group, .label = "Group", .required = conditions::always),
         SPARKOUT_FIELD(WorkSheet, variant, .label = "Variant", .hard = {1, 1000000},
-                       .required = conditions::always, .hint = "Its number."),
+                       .required = conditions::always, .hint = "Number of the variant."),
         SPARKOUT_FIELD(WorkSheet, levels, .label = "Levels", .hard = {0, 10000},
                        .required = conditions::always, .whole = true,
-                       .hint = "Of the inputs that are varied, from 0, in their order."),
+                       .hint = "Levels of the varied inputs, from 0, in their order."),
         SPARKOUT_FIELD(WorkSheet, lesson_sha256, .label = "Digest of the lesson",
                        .required = conditions::always,
                        .hint = "SHA-256 of the teacher's lesson as students may have it, without "
                                "a variant."),
         SPARKOUT_FIELD(WorkSheet, sha256, .label = "Seal", .required = conditions::always,
-                       .hint = "SHA-256 of what stands above and of the lesson with its variant."),
+                       .hint = "SHA-256 of the values above and of the lesson with its variant."),
         SPARKOUT_FIELD(WorkSheet, entries, .label = "Entries",
                        .hard = {0, static_cast<double>(limits::workEntries)},
-                       .hint = "All that was handed in, in its order."),
+                       .hint = "Everything handed in, in order."),
     };
     static const StructInfo info = makeTable<WorkSheet>("Work", rows);
     return info;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
 #include "core/issue.h"
 #include "core/lesson/goal.h"
 #include "core/lesson/lesson.h"

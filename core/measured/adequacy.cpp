@@ -309,8 +309,9 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
     {{.key = "bias_95_um",
       .label = SPARKOUT_NOOP("Output", "Bias"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Measured less predicted mean: Welch's interval, 95 %, with "
-                                      "the uncertainty of measuring")},
+      .hint = SPARKOUT_NOOP(
+          "Output",
+          "Measured minus predicted mean: Welch's interval, 95 %, with the measuring uncertainty")},
      [](const AdequacyOf& a) { return a.row.bias95; }},
     {{.key = "bias_limit_um",
       .label = SPARKOUT_NOOP("Output", "Limit of bias"),
@@ -319,8 +320,8 @@ constexpr Output<AdequacyOf> adequacyRows[] = {
           SPARKOUT_NOOP("Output", "Largest difference at which the two means count as the same")},
      [](const AdequacyOf& a) { return a.row.biasLimit; }},
     {{.key = "mean_place",
-      .hint = "where the interval of the mean lies to the predicted range, the criterion of the "
-              "sources: inside, below, above or undecided"},
+      .hint = "position of the interval of the mean relative to the predicted range, the criterion "
+              "of the sources: inside, below, above or undecided"},
      [](const AdequacyOf& a) { return std::string(keyOf(a.row.meanPlace)); }},
     {{.key = "verdict"}, [](const AdequacyOf& a) { return std::string(keyOf(a.row.verdict)); }},
 };
@@ -355,7 +356,7 @@ constexpr Output<VarianceRatio> ratioRows[] = {
      [](const VarianceRatio& v) { return v.low; }},
     {{.key = "high", .label = SPARKOUT_NOOP("Output", "F, 95 % to")},
      [](const VarianceRatio& v) { return v.high; }},
-    {{.key = "probability", .hint = "of a ratio at least so far from 1 by chance"},
+    {{.key = "probability", .hint = "probability of a ratio at least so far from 1 by chance"},
      [](const VarianceRatio& v) { return v.probability; }},
 };
 
@@ -365,9 +366,8 @@ constexpr Output<InsideShare> insideRows[] = {
     {{.key = "of", .hint = "measured parts"}, [](const InsideShare& s) { return s.count; }},
     {{.key = "interval_95",
       .label = SPARKOUT_NOOP("Output", "Share inside"),
-      .hint = SPARKOUT_NOOP("Output",
-                            "Measured parts within the predicted range, as a share with the 95 % "
-                            "bounds of Clopper and Pearson")},
+      .hint = SPARKOUT_NOOP("Output", "Measured parts within the predicted range, as a share with "
+                                      "the 95 % bounds of Clopper and Pearson")},
      [](const InsideShare& s) { return std::optional(s.interval); }},
 };
 

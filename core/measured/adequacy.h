@@ -59,7 +59,7 @@ struct PredictedRange {
 /// quantities that the drawing does not limit, so that they are evaluated for every part.
 [[nodiscard]] Project predictingProject(Project project);
 
-/// For a batch of that project; empty if it has no such value.
+/// For a batch of that project; empty if it does not have the value.
 [[nodiscard]] std::optional<PredictedRange> predicted(const BatchResult& batch,
                                                       MeasuredQuantity quantity, int place);
 

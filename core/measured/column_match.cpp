@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/column_match.h"
 
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 #include "core/project/measured.h"
 #include "core/text.h"
 
@@ -144,7 +144,7 @@ struct HeadingParts {
     std::optional<int> place;
 };
 
-constexpr std::string_view aroundName = " \t,;:."; ///< what is no part of a name
+constexpr std::string_view aroundName = " \t,;:."; ///< characters that are not part of a name
 
 /// Removes "[mm]", "(mm)" or ", mm" from the end of a heading.
 std::optional<ColumnUnit> takeUnit(std::string& heading) {
@@ -200,7 +200,7 @@ ColumnMatch matchHeading(std::string_view heading) {
     if (found != names.end()) {
         match.quantity = found->quantity;
     }
-    // P [N] is a force, F [kW] is nothing; nor is d in s.
+    // P [N] is a force; F [kW] and d [s] are nothing.
     if (match.unit != ColumnUnit::none && match.unit != ColumnUnit::unknown
         && isNumeric(match.quantity) && !factorOf(match.quantity, match.unit)) {
         match.quantity = match.unit == ColumnUnit::n || match.unit == ColumnUnit::kn ? normal_force

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 #include "core/issue.h"
 
 #include <optional>
@@ -51,7 +51,7 @@ struct ColumnMatch {
 void settleMatches(std::vector<ColumnMatch>& matches);
 
 /// The factor that converts a value in the unit to the unit of the project's section `measured`; 1
-/// without a unit. Empty if the quantity has no such unit.
+/// without a unit. Empty if the quantity does not have this unit.
 [[nodiscard]] std::optional<double> factorOf(ColumnQuantity quantity, ColumnUnit unit);
 
 /// Whether its values are numbers.

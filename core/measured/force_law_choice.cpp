@@ -267,7 +267,7 @@ public:
     }
 
 private:
-    /// The record of a law with these values over so many revolutions, without noise.
+    /// The record of a law with these values over this many revolutions, without noise.
     [[nodiscard]] SparkOutRecord continued(bool sources, int revolutions) const {
         const LawFit& fit = sources ? m_sources : m_threshold;
         const auto all = static_cast<std::size_t>(revolutions);

@@ -37,7 +37,7 @@ struct ForceLawChoice {
     double timeConstant_s = 0; ///< −T/ln r of the threshold, T the time of a revolution
     int revolutions = 0;       ///< recorded ones
     std::size_t readings = 0;
-    /// Undecided: so many more would decide, whichever law is true; empty: not within 500.
+    /// Undecided: this many more would decide, whichever law is true; empty: not within 500.
     std::optional<int> revolutionsMore;
 };
 
@@ -46,7 +46,7 @@ struct ForceLawChoice {
                                                            const SparkOutRecord& record,
                                                            const std::stop_token& stop = {});
 
-/// The spark-out of so many steps at the end of a recorded plunge, in the first trace of the size
+/// The spark-out of this many steps at the end of a recorded plunge, in the first trace of the size
 /// at the gauge, in which the cycle begins at `begin_s`; empty if there is none.
 [[nodiscard]] std::optional<SparkOutRecord>
 sparkOutOf(const Project& project, const std::vector<int>& stepsByStage, double begin_s);

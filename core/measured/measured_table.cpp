@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/measured_table.h"
 
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -103,20 +103,24 @@ std::optional<double> secondsOfDate(std::string_view text) {
            + hour * perHour + minute * perMinute + *seconds;
 }
 
-class KeyValueReader {
-public:
-    KeyValueReader(const MeasuredTable& table, const MeasuredContext& context)
+/// Reads a table line by line, until there are too many faults.
+class MeasuredLineReader {
+protected:
+    MeasuredLineReader(const MeasuredTable& table, const MeasuredContext& context)
         : m_table(table), m_context(context) {
         for (const ColumnMatch& match : table.columns) {
             m_traces.emplace_back(match);
         }
     }
+    ~MeasuredLineReader() = default;
 
-    ReadMeasured read(std::string_view text, const std::stop_token& stop) {
-        TableReader rows(text, keyDelimiter);
+    virtual void readLine(std::size_t line) = 0; ///< from m_cells
+
+    /// Reads the remaining lines; returns nothing after a stop.
+    ReadMeasured readLines(TableReader& rows, const std::stop_token& stop) {
         constexpr std::size_t rowsBetween = 4096;
         std::size_t looked = 0;
-        while (m_read.faults.size() < limits::issues && rows.next()) {
+        while (!isFull() && rows.next()) {
             if (++looked % rowsBetween == 0 && stop.stop_requested()) {
                 return {};
             }
@@ -133,13 +137,46 @@ public:
         return std::move(m_read);
     }
 
-private:
+    [[nodiscard]] bool isFull() const { return m_read.faults.size() >= limits::issues; }
+
     void fault(std::size_t line, std::size_t column, IssueCode code, Detail value, Detail limit) {
-        m_read.faults.push_back(
-            {line, column, {code, Severity::error, {}, std::move(value), std::move(limit)}});
+        if (!isFull()) {
+            m_read.faults.push_back(
+                {line, column, {code, Severity::error, {}, std::move(value), std::move(limit)}});
+        }
     }
 
-    void readLine(std::size_t line) {
+    /// Keeps the time of a line; returns false if it is before that of the previous line.
+    bool takeTime(std::size_t line, std::size_t column, double time_s) {
+        if (time_s < m_lastTime) {
+            fault(line, column, IssueCode::outOfRange, Amount{time_s, "s"},
+                  Bounds{.range = {.low = m_lastTime}, .unit = "s"});
+            return false;
+        }
+        m_lastTime = time_s;
+        return true;
+    }
+
+    const MeasuredTable& m_table;
+    const MeasuredContext& m_context;
+    std::vector<TraceBuilder> m_traces;
+    std::vector<std::string_view> m_cells;
+    double m_lastTime = -1e300; ///< [s]
+    ReadMeasured m_read;
+};
+
+class KeyValueReader final : MeasuredLineReader {
+public:
+    KeyValueReader(const MeasuredTable& table, const MeasuredContext& context)
+        : MeasuredLineReader(table, context) {}
+
+    ReadMeasured read(std::string_view text, const std::stop_token& stop) {
+        TableReader rows(text, keyDelimiter);
+        return readLines(rows, stop);
+    }
+
+private:
+    void readLine(std::size_t line) override {
         if (m_cells.size() < 3 || m_cells.size() % 2 == 0) {
             fault(line, 0, IssueCode::wrongCount, countOf(m_cells.size()), countOf(3));
             return;
@@ -149,12 +186,9 @@ private:
             fault(line, 1, IssueCode::wrongType, quotedCell(m_cells.front()), Phrase::number);
             return;
         }
-        if (*time < m_lastTime) {
-            fault(line, 1, IssueCode::outOfRange, Amount{*time, "s"},
-                  Bounds{.range = {.low = m_lastTime}, .unit = "s"});
+        if (!takeTime(line, 1, *time)) {
             return;
         }
-        m_lastTime = *time;
         ++m_read.rows;
         for (std::size_t c = 1; c + 1 < m_cells.size(); c += 2) {
             readPair(line, c, *time);
@@ -196,13 +230,7 @@ private:
         return date ? std::optional(*date - *m_firstDate) : std::nullopt;
     }
 
-    const MeasuredTable& m_table;
-    const MeasuredContext& m_context;
-    std::vector<TraceBuilder> m_traces;
-    std::vector<std::string_view> m_cells;
     std::optional<double> m_firstDate;
-    double m_lastTime = -1e300;
-    ReadMeasured m_read;
 };
 
 } // namespace
@@ -234,13 +262,12 @@ ReadMeasured readKeyValueLines(std::string_view text, const MeasuredTable& table
 
 namespace {
 
-class RowReader {
+class RowReader final : MeasuredLineReader {
 public:
     RowReader(const MeasuredTable& table, const MeasuredContext& context)
-        : m_table(table), m_context(context) {
+        : MeasuredLineReader(table, context) {
         for (const ColumnMatch& match : table.columns) {
             m_factors.push_back(factorOf(match.quantity, match.unit).value_or(1));
-            m_traces.emplace_back(match);
         }
     }
 
@@ -250,35 +277,10 @@ public:
         if (!columnsAreFit()) {
             return std::move(m_read);
         }
-        constexpr std::size_t rowsBetween = 4096;
-        std::size_t looked = 0;
-        while (!isFull() && rows.next()) {
-            if (++looked % rowsBetween == 0 && stop.stop_requested()) {
-                return {};
-            }
-            if (!rows.isBlank()) {
-                m_cells = rows.cells();
-                readLine(rows.line());
-            }
-        }
-        for (TraceBuilder& trace : m_traces) {
-            if (!trace.empty()) {
-                m_read.data.traces.push_back(trace.take(m_context));
-            }
-        }
-        return std::move(m_read);
+        return readLines(rows, stop);
     }
 
 private:
-    [[nodiscard]] bool isFull() const { return m_read.faults.size() >= limits::issues; }
-
-    void fault(std::size_t line, std::size_t column, IssueCode code, Detail value, Detail limit) {
-        if (!isFull()) {
-            m_read.faults.push_back(
-                {line, column, {code, Severity::error, {}, std::move(value), std::move(limit)}});
-        }
-    }
-
     /// Whether something is to be read, each with a unit it may have, traces with their times.
     bool columnsAreFit() {
         bool any = false, anyTrace = false;
@@ -307,7 +309,7 @@ private:
         return m_read.faults.empty();
     }
 
-    void readLine(std::size_t line) {
+    void readLine(std::size_t line) override {
         const std::size_t expected = m_table.columns.size();
         if (m_cells.size() > expected) {
             fault(line, expected + 1, IssueCode::wrongCount, countOf(m_cells.size()),
@@ -316,7 +318,7 @@ private:
         }
         ++m_read.rows;
         m_parts.clear();
-        if (!takeTime(line)) {
+        if (!takeTimeOfRow(line)) {
             return;
         }
         const int place = placeOf(line);
@@ -340,21 +342,11 @@ private:
         keepParts(line);
     }
 
-    /// False if the time of the line is before that of the previous line.
-    bool takeTime(std::size_t line) {
-        m_isTimed = false;
+    /// False if the line has a time that is before that of the previous line.
+    bool takeTimeOfRow(std::size_t line) {
         const auto time = m_time ? number(line, *m_time) : std::nullopt;
-        if (!time) {
-            return true;
-        }
-        if (*time < m_lastTime) {
-            fault(line, *m_time + 1, IssueCode::outOfRange, Amount{*time, "s"},
-                  Bounds{.range = {.low = m_lastTime}, .unit = "s"});
-            return false;
-        }
-        m_lastTime = *time;
-        m_isTimed = true;
-        return true;
+        m_isTimed = time && takeTime(line, *m_time + 1, *time);
+        return m_isTimed || !time;
     }
 
     /// The value of a cell in the unit of the section; empty if the cell is empty or refused.
@@ -453,15 +445,10 @@ private:
         }
     }
 
-    const MeasuredTable& m_table;
-    const MeasuredContext& m_context;
     std::vector<double> m_factors;
-    std::vector<TraceBuilder> m_traces;
     std::map<ColumnQuantity, Bounds> m_bounds;
-    std::vector<std::string_view> m_cells;
     std::map<int, MeasuredPart> m_parts; ///< of the line, by place
     std::optional<std::size_t> m_time;
-    double m_lastTime = -1e300;
     bool m_isTimed = false; ///< the line has a time
     ReadMeasured m_read;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/file/cell_reader.h"
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
+#include "core/file/text_table.h"
 #include "core/measured/column_match.h"
 #include "core/measured/number_table.h"
 #include "core/project/measured.h"

@@ -62,8 +62,8 @@ struct LeftOut {
                                 const FitProblem& fitted, const LeastSquares& best,
                                 const std::vector<double>& errors, const std::stop_token& stop);
 
-/// The noise of a trace: a white one and one that follows itself, cov(k) = w·[k = 0] + s·φ^k for
-/// values k apart.
+/// The noise of a trace: a white one and a correlated one, cov(k) = w·[k = 0] + s·φ^k for values k
+/// apart.
 struct TraceNoise {
     double white = 0;     ///< w, a variance
     double following = 0; ///< s, a variance
@@ -75,7 +75,7 @@ struct TraceNoise {
     [[nodiscard]] double variance() const { return white + following; }
     /// The correlated share of the variance.
     [[nodiscard]] double share() const { return variance() > 0 ? following / variance() : 0; }
-    /// The variance of the mean of so many successive values.
+    /// The variance of the mean of this many successive values.
     [[nodiscard]] double varianceOfMean(std::size_t count) const;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/number_table.h"
 
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 #include "core/measured/column_match.h"
 #include "core/units.h"
 

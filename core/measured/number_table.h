@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
 #include "core/issue.h"
 
 #include <array>

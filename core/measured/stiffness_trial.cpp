@@ -76,7 +76,8 @@ private:
     [[nodiscard]] StiffnessTrialStatus refusal() const {
         const Part& part = *m_project.part;
         const bool chuckWithWheel =
-            part.shaft.mounting == Mounting::chuck && findsWheelHead(); // act alike everywhere
+            part.shaft.mounting == Mounting::chuck
+            && findsWheelHead(); // headstock and wheel head act alike at every place
         std::vector<double> places;
         bool onShaft = true;
         for (const StiffnessReading& reading : m_request.readings) {

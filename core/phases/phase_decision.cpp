@@ -256,9 +256,9 @@ constexpr Output<PhaseDecision> decisionRows[] = {
     {{.key = "stock_mm", .unit = "mm", .hint = "range of stocks per side"},
      [](const PhaseDecision& d) { return endsOf(d.range); }},
     {{.key = "decided"}, [](const PhaseDecision& d) { return d.isDecided; }},
-    {{.key = "too_many_pieces", .hint = "the range has too many, and is not decided"},
+    {{.key = "too_many_pieces", .hint = "whether the range has too many pieces and is not decided"},
      [](const PhaseDecision& d) { return d.hasTooMany; }},
-    {{.key = "holds", .hint = "whether every requirement holds for every stock of the range"},
+    {{.key = "holds", .hint = "whether every requirement is met for every stock of the range"},
      [](const PhaseDecision& d) { return d.holds(); }},
 };
 
@@ -271,12 +271,12 @@ constexpr Output<DecidedPiece> pieceRows[] = {
      [](const DecidedPiece& p) { return std::string(statusKey(p.piece.status)); }},
     {{.key = "time_min", .unit = "min", .hint = "time of the cycle"},
      [](const DecidedPiece& p) { return p.time_s / units::secondsPerMinute; }},
-    {{.key = "holds_mm", .unit = "mm", .hint = "those for which every requirement holds"},
+    {{.key = "holds_mm", .unit = "mm", .hint = "stocks for which every requirement is met"},
      [](const DecidedPiece& p) { return p.holds ? endsOf(*p.holds) : std::nullopt; }},
 };
 
 constexpr Output<FailingStocks> failingRows[] = {
-    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle fails"},
+    {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle is unfit"},
      [](const FailingStocks& f) { return endsOf(f.stocks); }},
     {{.key = "status"}, [](const FailingStocks& f) { return std::string(statusKey(f.status)); }},
 };
@@ -285,7 +285,7 @@ constexpr Output<ConstraintResult> worstRows[] = {
     {{.key = "name"},
      [](const ConstraintResult& c) { return std::string(requirementOf(c.kind).key); }},
     {{.key = "where"}, [](const ConstraintResult& c) { return whereText(c); }},
-    {{.key = "relative_margin", .hint = "at the worse end; positive when it holds"},
+    {{.key = "relative_margin", .hint = "at the worse end; positive when the requirement is met"},
      [](const ConstraintResult& c) { return c.relativeMargin; }},
 };
 

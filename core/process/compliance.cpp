@@ -102,8 +102,8 @@ constexpr std::size_t fewPlaces = 4;
 
 } // namespace
 
-/// How the shaft bends along its length under a unit force, spread evenly over from...to or at one
-/// point, by running sums (see the class).
+/// The bending of the shaft along its length under a unit force, spread evenly over from...to or at
+/// one point, by running sums (see the class).
 class Compliance::BentLine {
 public:
     BentLine(const Compliance& shaft, double from, double to)

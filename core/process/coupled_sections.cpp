@@ -414,7 +414,7 @@ double CoupledSections::Solver::freeResidual() const {
 
 // Steps along the direction into m_now so that Ψ falls. Ψ is convex along it, so its slope rises:
 // where it still falls, Ψ is lower; beyond, as long as the possible rise is less than half the fall
-// before. False if no such point was found.
+// before. False if it was not found.
 bool CoupledSections::Solver::searchAlong(const MapConst& h) {
     double whole = 1;
     for (const Index j : m_free) {

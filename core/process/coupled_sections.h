@@ -49,7 +49,7 @@ class SectionInfluence;
 /// steps.
 ///
 /// These quick steps may end short of the solution where a section barely touches: there dw/df → 0
-/// and both sets of sections seem right in turn. A descent on Ψ from the best of these points
+/// and both sets of sections seem right alternately. A descent on Ψ from the best of these points
 /// follows, which converges from everywhere:
 ///
 /// 1. a sweep: section by section f_j becomes the minimum of Ψ along f_j ≥ 0, the root of w(f_j) +

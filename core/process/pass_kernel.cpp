@@ -23,7 +23,7 @@ enum class Root { multiplied, divided };
 enum class Drift { none, some }; ///< drift of the infeed; it costs time and few cycles have one
 
 // The loop has one source; each wrapper compiles it for its vector unit. Every operation is an IEEE
-// one without contraction, so the units differ in speed alone.
+// one without contraction, so the units differ only in speed.
 template <Root form, Drift drifts>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {

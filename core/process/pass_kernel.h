@@ -120,7 +120,7 @@ enum class VectorUnit { baseline, avx2 };
 /// The largest P_y of each zone or section so far [N].
 ///
 /// P_y rises with √a, and so do its rounded products and their sum: of the passes at one width the
-/// largest √a bears the largest force, to the last bit. So a pass keeps that alone, and the force
+/// largest √a bears the largest force, to the last bit. So a pass keeps only that, and the force
 /// is computed where a section's width changes, and at the end. With a threshold the force rises
 /// with the rubbing share, too, and both peak together.
 class PeakForces {

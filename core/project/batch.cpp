@@ -243,21 +243,21 @@ const StructInfo& tableOf<Factor>() {
         SPARKOUT_FIELD(Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
                        .page = Page::batch, .usual = true,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "Values of measured blanks, each as frequent as any "
-                                             "other; `sparkout-cli batch --measured` reads them "
-                                             "from a CSV.")),
-        SPARKOUT_FIELD(Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
-                       .page = Page::batch, .usual = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "From the first to the last part between two dressings.")),
+                           "Input", "Values of measured blanks, each as frequent as any other; "
+                                    "`sparkout-cli batch --measured` reads them from a CSV.")),
         SPARKOUT_FIELD(
-            Factor, parts_between_dressings,
-            .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .hard = {1, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"), .page = Page::batch,
+            Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
             .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "How many parts are ground between two dressings.")),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Values of the first and of the last part between two dressings.")),
+        SPARKOUT_FIELD(Factor, parts_between_dressings,
+                       .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .hard = {1, 1e6},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"),
+                       .page = Page::batch, .usual = true,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Number of parts ground between two dressings.")),
     };
     static const StructInfo info = makeTable<Factor>(SPARKOUT_NOOP("Struct", "Factor"), rows);
     return info;
@@ -293,14 +293,13 @@ const StructInfo& tableOf<Factors>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Traverse: the wheel's width, from which the widths of "
                                            "cut follow. Plunge: the ground length.")),
-        SPARKOUT_FIELD(Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
-                       .page = Page::batch,
-                       .hint = SPARKOUT_NOOP("Input", "Factor on the roundness deviation and "
-                                                      "runout that the machine prints, of all "
-                                                      "zones or sections; without a form on its "
-                                                      "geometric runout."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Factors, machine_form, .label = SPARKOUT_NOOP("Input", "Machine's form"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .page = Page::batch,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Factor on the roundness deviation and runout that the machine prints, of "
+                         "all zones or sections; without a form on its geometric runout."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Factors, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
@@ -315,18 +314,17 @@ const StructInfo& tableOf<Factors>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP(
                 "Input",
-                "In standard deviations: it multiplies the machine's gauge repeatability. A normal "
-                "law with mean 0 and deviation 1 is the gauge of the machine as given."),
+                "Number of standard deviations; it multiplies the machine's gauge repeatability. A "
+                "normal law with mean 0 and deviation 1 is the gauge of the machine as given."),
             .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Factors, gauge_age_h, .label = SPARKOUT_NOOP("Input", "Time since the gauge was set"),
             .symbol = "t", .unit = "h", .nullMeaning = SPARKOUT_NOOP("Input", "it does not drift"),
             .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input",
-                                  "It multiplies the machine's gauge drift. Growing part by part "
-                                  "from 0: the last part is ground the time of a piece later for "
-                                  "each part before it; the parts between dressings are those from "
-                                  "one setting of the gauge to the next."),
+                                  "It multiplies the machine's gauge drift. Growing from 0, it "
+                                  "rises by the piece time from part to part; the parts between "
+                                  "dressings are those from one setting of the gauge to the next."),
             .formula = "e_g = z·s_g + v_g·t", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Factors, part_warmer_k, .label = SPARKOUT_NOOP("Input", "Part warmer at the gauge"),
@@ -353,7 +351,7 @@ const StructInfo& tableOf<Batch>() {
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, scenarios, .label = SPARKOUT_NOOP("Input", "Scenarios"), .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "How the factors are sampled."), .source = "MODEL-8"),
+            .hint = SPARKOUT_NOOP("Input", "Method of sampling the factors."), .source = "MODEL-8"),
         SPARKOUT_FIELD(Batch, factors, .label = SPARKOUT_NOOP("Input", "Factors"),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
@@ -402,9 +400,10 @@ const StructInfo& tableOf<Batch>() {
             Batch, most_outside_share, .label = SPARKOUT_NOOP("Input", "Maximum share outside"),
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "every part must be good"),
             .page = Page::batch, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Share of the parts that may fail before the cycle is "
-                                           "unfit; when more of them are expected to be out of "
-                                           "tolerance, it is conditionally fit."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Share of the parts that may be rejected before the cycle is unfit; when more of "
+                "them are expected to be out of tolerance, it is conditionally fit."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, measuring_uncertainty_um,
@@ -415,33 +414,33 @@ const StructInfo& tableOf<Batch>() {
                                   "It counts as scatter of the prediction, and it widens the "
                                   "interval of the bias, for it may be the same for all parts."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias"),
-                       .unit = "µm", .hard = {1e-3, 1e5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "a tenth of the tolerance"),
-                       .sparse = true, .page = Page::batch,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Up to this difference the measured mean and the predicted one "
-                                    "count as the same. Where the drawing has no tolerance either, "
-                                    "it is half the predicted standard deviation."),
-                       .source = "MODEL-8"),
         SPARKOUT_FIELD(
-            Batch, form_measuring_uncertainty_um,
-            .label = SPARKOUT_NOOP("Input", "Measuring uncertainty of form"), .symbol = "u_f",
-            .unit = "µm", .hard = {0, 1000}, .soft = {0, 5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "as of the size"), .sparse = true,
-            .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Standard uncertainty of one measured roundness, runout "
-                                           "or cylindricity of a finished part."),
+            Batch, bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias"), .unit = "µm",
+            .hard = {1e-3, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "a tenth of the tolerance"),
+            .sparse = true, .page = Page::batch,
+            .hint =
+                SPARKOUT_NOOP("Input", "Up to this difference the measured mean and the predicted "
+                                       "one count as the same. Where the drawing has no tolerance "
+                                       "either, it is half the predicted standard deviation."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(Batch, form_measuring_uncertainty_um,
+                       .label = SPARKOUT_NOOP("Input", "Measuring uncertainty of form"),
+                       .symbol = "u_f", .unit = "µm", .hard = {0, 1000}, .soft = {0, 5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "as for the size"), .sparse = true,
+                       .page = Page::batch,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Standard uncertainty of one measured roundness, "
+                                                  "runout or cylindricity of a finished part."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, form_bias_limit_um, .label = SPARKOUT_NOOP("Input", "Limit of bias of form"),
             .unit = "µm", .hard = {1e-3, 1e5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "as of the size, otherwise a tenth of the "
-                                                  "tolerance"),
+            .nullMeaning =
+                SPARKOUT_NOOP("Input", "as for the size, otherwise a tenth of the tolerance"),
             .sparse = true, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Up to this difference the means of measured and "
-                                           "predicted roundness, runout or cylindricity count as "
-                                           "the same."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Up to this difference the means of measured and predicted "
+                                       "roundness, runout or cylindricity count as the same."),
             .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);

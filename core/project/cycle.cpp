@@ -69,13 +69,13 @@ const StructInfo& tableOf<Stage>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
-            .symbol = "S_t", .unit = "mm/dbl stroke", .hard = {0, 1}, .soft = {0.0002, 0.05},
+            .symbol = "S_t", .unit = "mm/double stroke", .hard = {0, 1}, .soft = {0.0002, 0.05},
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
             .required = feedsWith<&Stage::radial_feed_mm>,
             .relevant = feedsWith<&Stage::radial_feed_mm>, .slider = true, .read = {1e-6, 1},
             .exempt = feedsAllTheTime, .page = Page::cycle, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the reversals of each double "
-                                           "stroke."),
+            .hint =
+                SPARKOUT_NOOP("Input", "Programmed infeed at the reversals of each double stroke."),
             .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("InputBrief", "Radial feed"),
             .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
@@ -84,9 +84,9 @@ const StructInfo& tableOf<Stage>() {
                        .required = conditions::setsFeed<&Stage::axial_feed_mm_min>,
                        .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .slider = true,
                        .page = Page::cycle, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Table speed; S_ax/n per revolution is the effective width of "
-                                    "cut, at most the wheel width."),
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Table speed; S_ax/n per revolution is the effective "
+                                             "width of cut, at most the wheel width."),
                        .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
                        .symbol = "S_p", .unit = "mm/min", .hard = {-100, 100}, .soft = {0.01, 5},
@@ -114,17 +114,16 @@ const StructInfo& tableOf<Stage>() {
             Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
             .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6}, .required = feeds,
             .slider = true, .page = Page::cycle, .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "Radial stock of the stage. The stage ends when "
-                                           "only the stock of the later stages remains."),
+            .hint = SPARKOUT_NOOP("Input", "Radial stock of the stage. The stage ends when only "
+                                           "the stock of the later stages remains."),
             .formula = "Π_rem ≤ Σ Π_j, j > z",
             .column = SPARKOUT_NOOP("InputBrief", "Stock per side"), .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,
             .usual = true,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "The last stage may feed nothing: a number of double strokes or "
-                                  "revolutions, or until size."),
+            .hint = SPARKOUT_NOOP("Input", "The last stage may have no feed: a number of double "
+                                           "strokes or revolutions, or until size."),
             .column = SPARKOUT_NOOP("InputBrief", "Spark-out"), .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Stage>(SPARKOUT_NOOP("Struct", "Stage"), rows);

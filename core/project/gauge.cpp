@@ -60,12 +60,12 @@ std::span<const Choice> choicesOf<GaugeRule>() {
 template <>
 const StructInfo& tableOf<Gauge>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Gauge, control, .label = SPARKOUT_NOOP("Input", "Stages switch"),
-                       .page = Page::gauge, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "By the in-process gauge's reading, or by the position the "
-                                    "wheel head has been fed to."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Gauge, control, .label = SPARKOUT_NOOP("Input", "Stages switch"), .page = Page::gauge,
+            .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "Stages switch by the in-process gauge's reading, or by "
+                                           "the position the wheel head has been fed to."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Gauge, rule, .label = SPARKOUT_NOOP("Input", "The gauge reads the"),
             .page = Page::gauge, .usual = true,
@@ -117,7 +117,8 @@ const StructInfo& tableOf<Gauge>() {
             .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),
                        .hard = {1, 5}, .page = Page::gauge, .usual = true,
-                       .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Number of stages that the gauge can switch."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"), .symbol = "τ_g",

@@ -62,7 +62,7 @@ double MachineSteps::stepped(double value, int steps) const {
     const double from = steps > 0 ? std::floor(place + onStep) : std::ceil(place - onStep);
     const double last = std::floor((high - low) / step + onStep); // infinite if high is
     const double next = withoutLastBits(low + std::clamp(from + steps, 0.0, last) * step);
-    return (next - value) * steps > 0 ? next : value; // one beyond the ends stays there
+    return (next - value) * steps > 0 ? next : value; // a value beyond the ends stays unchanged
 }
 
 const std::vector<double>* machineRange(const Project& project, std::string_view path) {
@@ -219,7 +219,7 @@ const StructInfo& tableOf<MachineLimits>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             MachineLimits, radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm/dbl stroke",
+            .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm/double stroke",
             .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
             .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Minimum, maximum and step, per double stroke.")),
@@ -233,14 +233,14 @@ const StructInfo& tableOf<MachineLimits>() {
             .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"), .unit = "mm/min",
             .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
             .page = Page::machine, .hint = SPARKOUT_NOOP("Input", "Minimum, maximum and step.")),
-        SPARKOUT_FIELD(MachineLimits, continuous_feed_mm_min,
-                       .label = SPARKOUT_NOOP("Input", "Range of the continuous infeed"),
-                       .unit = "mm/min", .hard = {0, 1000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Minimum, maximum and step of the radial "
-                                                      "infeed while the table travels; [0, 0, 0] "
-                                                      "for a machine without it.")),
+        SPARKOUT_FIELD(
+            MachineLimits, continuous_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Range of the continuous infeed"), .unit = "mm/min",
+            .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+            .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "Minimum, maximum and step of the radial infeed while the "
+                                       "table travels; [0, 0, 0] for a machine without it.")),
         SPARKOUT_FIELD(
             MachineLimits, work_speed_rpm,
             .label = SPARKOUT_NOOP("Input", "Range of the work speed"), .unit = "rev/min",
@@ -255,14 +255,13 @@ const StructInfo& tableOf<MachineLimits>() {
                        .label = SPARKOUT_NOOP("Input", "Maximum part length"), .symbol = "L_m",
                        .unit = "mm", .hard = {1, 1e5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Length that the machine takes.")),
-        SPARKOUT_FIELD(MachineLimits, wheel_diameter_mm,
-                       .label = SPARKOUT_NOOP("Input", "Maximum wheel diameter"), .symbol = "D_m",
-                       .unit = "mm", .hard = {0.5, 2000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .sparse = true,
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Diameter of a new wheel that the machine "
-                                                      "takes.")),
+                       .hint = SPARKOUT_NOOP("Input", "Length that the machine accepts.")),
+        SPARKOUT_FIELD(
+            MachineLimits, wheel_diameter_mm,
+            .label = SPARKOUT_NOOP("Input", "Maximum wheel diameter"), .symbol = "D_m",
+            .unit = "mm", .hard = {0.5, 2000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+            .sparse = true, .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "Diameter of a new wheel that the machine accepts.")),
         SPARKOUT_FIELD(
             MachineLimits, wheel_width_mm, .label = SPARKOUT_NOOP("Input", "Range of wheel widths"),
             .symbol = "B_m", .unit = "mm", .hard = {0.5, 1000},
@@ -270,22 +269,22 @@ const StructInfo& tableOf<MachineLimits>() {
             .page = Page::machine,
             .hint =
                 SPARKOUT_NOOP("Input", "Minimum and maximum width that the wheel's flanges hold.")),
-        SPARKOUT_FIELD(
-            MachineLimits, wheel_bore_mm,
-            .label = SPARKOUT_NOOP("Input", "Diameter of the wheel seat"), .symbol = "H",
-            .unit = "mm", .hard = {0.5, 1000},
-            .nullMeaning = SPARKOUT_NOOP("Input", "any bore fits"), .sparse = true,
-            .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "Bore of a wheel that fits; it is compared with the one "
-                                           "of the marking, 305 in 600×63×305.")),
+        SPARKOUT_FIELD(MachineLimits, wheel_bore_mm,
+                       .label = SPARKOUT_NOOP("Input", "Diameter of the wheel seat"), .symbol = "H",
+                       .unit = "mm", .hard = {0.5, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "any bore fits"), .sparse = true,
+                       .page = Page::machine,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Bore of a wheel that fits; it is compared with "
+                                                  "the one of the marking, 305 in 600×63×305.")),
         SPARKOUT_FIELD(
             MachineLimits, wheel_speed_m_s, .label = SPARKOUT_NOOP("Input", "Highest wheel speed"),
             .symbol = "V_m", .unit = "m/s", .hard = {1, 250},
             .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .sparse = true,
             .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "Peripheral speed up to which the machine drives a "
-                                           "wheel; a starting cycle takes it where the wheel "
-                                           "stands it.")),
+            .hint =
+                SPARKOUT_NOOP("Input", "Peripheral speed up to which the machine drives a wheel; a "
+                                       "starting cycle uses it if the wheel allows it.")),
     };
     static const StructInfo info =
         makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
@@ -299,38 +298,39 @@ const StructInfo& tableOf<MachineForm>() {
                        .label = SPARKOUT_NOOP("Input", "Roundness deviation of the machine"),
                        .symbol = "2A_j", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "That of a part ground to the end, of each zone or "
-                                             "section, in their order."),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Roundness deviation of a part ground to the "
+                                                  "end, of each zone or section, in their order."),
                        .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_um, .label = SPARKOUT_NOOP("Input", "Radial runout of the machine"),
             .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
             .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "That of a part ground to the end, of each zone or "
-                                           "section, in their order; no less than the roundness "
-                                           "deviation. Its mean over all directions of the "
-                                           "eccentricity."),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Radial runout of a part ground to the end, of each zone or "
+                                  "section, in their order; no less than the roundness deviation. "
+                                  "It is the mean over all directions of the eccentricity."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, lobes, .label = SPARKOUT_NOOP("Input", "Number of lobes"), .symbol = "j",
             .hard = {2, 30}, .soft = {2, 15}, .nullMeaning = SPARKOUT_NOOP("Input", "not known"),
             .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "2: an oval. An even number spreads the diameter by "
-                                           "twice the roundness deviation, an odd one does not; "
-                                           "roundness and runout leave it open. Not known: judged "
-                                           "as an odd one, with the diameters of two lobes "
-                                           "beside."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "2: an oval. An even number spreads the diameter by twice the roundness deviation, "
+                "an odd one does not; roundness and runout do not show which. Not known: judged as "
+                "odd, with the diameters for two lobes stated beside."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(
             MachineForm, runout_at_deg,
             .label = SPARKOUT_NOOP("Input", "Direction of the eccentricity"), .symbol = "φ_1",
             .unit = "°", .hard = {0, 360},
-            .nullMeaning = SPARKOUT_NOOP("Input", "where the runout is the one given"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "the angle that gives the stated runout"),
             .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "Angle on the part from where a lobe is ground deepest "
-                                           "to where the eccentricity grinds deepest. In a batch "
-                                           "it may scatter over the whole turn."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Angle on the part from where a lobe is ground deepest to where the eccentricity "
+                "grinds deepest. In a batch it may scatter over the whole turn."),
             .source = "MODEL-7"),
     };
     static const StructInfo info =
@@ -356,12 +356,11 @@ Field wheelSpeedControl() {
     return SPARKOUT_FIELD(
         Machine, wheel_speed_control, .label = SPARKOUT_NOOP("Input", "Worn wheel runs at"),
         .sparse = true, .page = Page::machine,
-        .hint =
-            SPARKOUT_NOOP("Input", "The quantity that the drive keeps when the wheel gets smaller, "
-                                   "in a batch, a sweep, a set-up and from dressing to dressing: "
-                                   "the peripheral speed, or the revolutions, so that the "
-                                   "speed falls with the diameter. The wheel speed is that of "
-                                   "the wheel diameter as it is given."),
+        .hint = SPARKOUT_NOOP(
+            "Input", "The quantity that the drive keeps when the wheel gets smaller, in a batch, a "
+                     "sweep, a set-up and from dressing to dressing: the peripheral speed, or the "
+                     "revolutions, so that the speed falls with the diameter. The wheel speed is "
+                     "that of the wheel diameter as it is given."),
         .formula = "V_k = π·D·n_k", .source = "MODEL-8");
 }
 
@@ -370,8 +369,9 @@ Field geometricRunout() {
         Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
         .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
         .relevant = withoutRunoutOfForm, .page = Page::machine, .usual = true,
-        .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout. At "
-                                       "0 it is not known."),
+        .hint = SPARKOUT_NOOP(
+            "Input",
+            "Runout of centres and spindle; it adds to every runout. At 0 it is not known."),
         .source = "MODEL-7");
 }
 
@@ -449,46 +449,44 @@ const StructInfo& tableOf<Machine>() {
                 "Input",
                 "Speed of the infeed at a reversal: an infeed S takes ⌈n·S/S_rad⌉ revolutions."),
             .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, reversal_infeed,
-                       .label = SPARKOUT_NOOP("Input", "Infeed at the reversals"),
-                       .relevant = conditions::travels, .sparse = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Where the radial feed of a double stroke is fed: at the entry "
-                                    "reversal, at the exit reversal, or half of it at each."),
-                       .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, reversal_infeed, .label = SPARKOUT_NOOP("Input", "Infeed at the reversals"),
+            .relevant = conditions::travels, .sparse = true, .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "Reversal at which the infeed of a double stroke takes "
+                                       "place: at the entry, at the exit, or half of it at each."),
+            .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
             .symbol = "o_1", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
             .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
             .usual = true,
-            .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; the entry "
-                                           "reversal zone is B − o1 long."),
+            .hint = SPARKOUT_NOOP("Input", "Distance that the wheel runs past the entry end; the "
+                                           "entry reversal zone is B − o1 long."),
             .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, overrun_exit_mm,
-                       .label = SPARKOUT_NOOP("Input", "Overrun at the exit"), .symbol = "o_2",
-                       .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
-                       .required = conditions::travels, .relevant = conditions::travels,
-                       .page = Page::machine, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "How far the wheel runs past the exit end; the exit reversal "
-                                    "zone is B − o2 long."),
-                       .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, overrun_exit_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the exit"),
+            .symbol = "o_2", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
+            .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
+            .usual = true,
+            .hint = SPARKOUT_NOOP("Input", "Distance that the wheel runs past the exit end; the "
+                                           "exit reversal zone is B − o2 long."),
+            .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, dwell_entry_s, .label = SPARKOUT_NOOP("Input", "Dwell at the entry"),
             .symbol = "τ_1", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
             .required = conditions::travels, .relevant = conditions::travels, .slider = true,
             .page = Page::machine, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double stroke, in "
-                                       "whole revolutions of the part."),
+            .hint = SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double "
+                                           "stroke, in whole revolutions of the part."),
             .formula = "N_1 = ⌊n·τ_1 + 0.5⌋", .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Dwell at the exit"),
                        .symbol = "τ_2", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
                        .required = conditions::travels, .relevant = conditions::travels,
                        .slider = true, .page = Page::machine, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Spark-out at the exit reversal, once a double stroke, in "
-                                    "whole revolutions of the part."),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Spark-out at the exit reversal, once a double "
+                                                  "stroke, in whole revolutions of the part."),
                        .formula = "N_2 = ⌊n·τ_2 + 0.5⌋", .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance"),
                        .symbol = "γ", .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
@@ -498,14 +496,13 @@ const StructInfo& tableOf<Machine>() {
                            "Input", "Deflection of the technological system for one newton at the "
                                     "wheel: one value a zone (traverse) or a section (plunge)."),
                        .formula = "a + γ·P_y(a) = h", .source = "MODEL-3"),
-        SPARKOUT_FIELD(Machine, stiffness_n_um,
-                       .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::machine,
-                       .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Headstock, tailstock and wheel head, for a compliance that is "
-                                    "computed."),
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Machine, stiffness_n_um, .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::machine,
+            .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Headstock, tailstock and wheel head, for a compliance that is computed."),
+            .source = "MODEL-6"),
         zoneCompliance(),
         geometricRunout(),
         machineForm(),
@@ -540,8 +537,8 @@ const StructInfo& tableOf<Machine>() {
         SPARKOUT_FIELD(
             Machine, wheel_contact, .label = SPARKOUT_NOOP("Input", "Wheel contact"),
             .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"), .page = Page::machine,
-            .hint = SPARKOUT_NOOP("Input", "Contact compliance of the wheel in series, beyond the "
-                                           "sources."),
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Contact compliance of the wheel in series, beyond the sources."),
             .source = "HASHIMOTO2020"),
         SPARKOUT_FIELD(Machine, limits, .label = SPARKOUT_NOOP("Input", "Machine ranges"),
                        .page = Page::machine, .source = "MODEL-8"),

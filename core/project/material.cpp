@@ -32,13 +32,14 @@ const StructInfo& tableOf<Material>() {
             Material, grade, .label = SPARKOUT_NOOP("Input", "Grade"), .page = Page::material,
             .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Steel or iron grade, as it stands in the drawing.")),
-        SPARKOUT_FIELD(Material, hardness_hrc, .label = SPARKOUT_NOOP("Input", "Hardness"),
-                       .symbol = "HRC", .unit = "HRC", .hard = {0, 75}, .soft = {15, 68},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::material,
-                       .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Hardness of the part; for the record, the force law takes the "
-                                    "flow stress.")),
+        SPARKOUT_FIELD(
+            Material, hardness_hrc, .label = SPARKOUT_NOOP("Input", "Hardness"), .symbol = "HRC",
+            .unit = "HRC", .hard = {0, 75}, .soft = {15, 68},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::material,
+            .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Hardness of the part; for the record, as the force law uses the flow stress.")),
         SPARKOUT_FIELD(Material, flow_stress_mpa, .label = SPARKOUT_NOOP("Input", "Flow stress"),
                        .symbol = "σ_i", .unit = "MPa", .hard = {10, 20000}, .soft = {300, 4000},
                        .required = conditions::always, .relevant = bySources, .slider = true,
@@ -76,9 +77,9 @@ const StructInfo& tableOf<Material>() {
             Material, threshold_force_n_mm, .label = SPARKOUT_NOOP("Input", "Threshold force"),
             .symbol = "F′_0", .unit = "N/mm", .hard = {0, 1000}, .soft = {0.05, 10},
             .relevant = byThreshold, .sparse = true, .page = Page::material,
-            .hint = SPARKOUT_NOOP("Input", "Normal force per millimetre of width up to which the "
-                                           "wheel only rubs. It is found from a recorded "
-                                           "spark-out: what is left is γ·b·F′_0."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Normal force per millimetre of width up to which the wheel only rubs. It "
+                         "is found from a recorded spark-out, whose remainder is γ·b·F′_0."),
             .formula = "P_y = b·(F′_0 + K·a)", .source = "HON585"),
         SPARKOUT_FIELD(
             Material, specific_force_mpa, .label = SPARKOUT_NOOP("Input", "Specific normal force"),
@@ -95,18 +96,20 @@ const StructInfo& tableOf<Material>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "K_0·ε_i/(ε_i·tg β), as in the sources' law"),
             .relevant = byThreshold, .sparse = true, .page = Page::material,
             .hint = SPARKOUT_NOOP("Input", "Tangential force per area of chip, beyond the friction "
-                                           "at the threshold: it makes the power."),
+                                           "at the threshold; it determines the power."),
             .formula = "P_z = b·(K_z0·V_d/V_k·a + μ·F′_0)", .source = "MODEL-2"),
-        SPARKOUT_FIELD(
-            Material, conductivity_w_mk, .label = SPARKOUT_NOOP("Input", "Thermal conductivity"),
-            .symbol = "λ", .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},
-            .page = Page::material, .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."),
-            .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Material, diffusivity_mm2_s, .label = SPARKOUT_NOOP("Input", "Thermal diffusivity"),
-            .symbol = "Ω", .unit = "mm²/s", .hard = {0.01, 500}, .soft = {3, 20},
-            .page = Page::material, .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."),
-            .source = "MODEL-8"),
+        SPARKOUT_FIELD(Material, conductivity_w_mk,
+                       .label = SPARKOUT_NOOP("Input", "Thermal conductivity"), .symbol = "λ",
+                       .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},
+                       .page = Page::material,
+                       .hint = SPARKOUT_NOOP("Input", "Value of the part near the surface."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(Material, diffusivity_mm2_s,
+                       .label = SPARKOUT_NOOP("Input", "Thermal diffusivity"), .symbol = "Ω",
+                       .unit = "mm²/s", .hard = {0.01, 500}, .soft = {3, 20},
+                       .page = Page::material,
+                       .hint = SPARKOUT_NOOP("Input", "Value of the part near the surface."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(Material, burn_rise_k,
                        .label = SPARKOUT_NOOP("Input", "Burn temperature rise"), .symbol = "U",
                        .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
@@ -124,8 +127,8 @@ const StructInfo& tableOf<Material>() {
             Material, expansion_um_m_k, .label = SPARKOUT_NOOP("Input", "Thermal expansion"),
             .symbol = "α", .unit = "10⁻⁶/K", .hard = {0, 100}, .soft = {5, 25}, .sparse = true,
             .page = Page::material,
-            .hint = SPARKOUT_NOOP("Input", "Growth of one metre of the part per kelvin: it makes "
-                                           "the gauge read a warm part too large."),
+            .hint = SPARKOUT_NOOP("Input", "Growth of one metre of the part per kelvin; the gauge "
+                                           "reads a warm part too large by it."),
             .formula = "α·d·ΔT", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Material>(SPARKOUT_NOOP("Struct", "Material"), rows);

@@ -122,15 +122,17 @@ const StructInfo& tableOf<MeasuredPart>() {
         SPARKOUT_FIELD(MeasuredPart, part, .label = SPARKOUT_NOOP("Input", "Part number"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Number or name of the measured part.")),
-        SPARKOUT_FIELD(MeasuredPart, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
-                       .hard = {0, 199},
-                       .hint = SPARKOUT_NOOP("Input", "Where it was measured: the zone or section, "
-                                                      "counted from 0 from the headstock.")),
-        SPARKOUT_FIELD(MeasuredPart, diameters_mm,
-                       .label = SPARKOUT_NOOP("Input", "Measured diameters"), .unit = "mm",
-                       .hard = {0.1, 3000}, .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "One diameter, or several round the part, "
-                                                      "of which the mean counts.")),
+        SPARKOUT_FIELD(
+            MeasuredPart, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
+            .hard = {0, 199},
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Zone or section where it was measured, counted from 0 at the headstock.")),
+        SPARKOUT_FIELD(
+            MeasuredPart, diameters_mm, .label = SPARKOUT_NOOP("Input", "Measured diameters"),
+            .unit = "mm", .hard = {0.1, 3000}, .sparse = true,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "One diameter, or several around the part, whose mean counts.")),
         SPARKOUT_FIELD(MeasuredPart, roundness_um,
                        .label = SPARKOUT_NOOP("Input", "Measured roundness"), .unit = "µm",
                        .hard = forms_um, .nullMeaning = SPARKOUT_NOOP("Input", "not measured"),
@@ -156,7 +158,7 @@ const StructInfo& tableOf<MeasuredPart>() {
         SPARKOUT_FIELD(MeasuredPart, time, .label = SPARKOUT_NOOP("Input", "When"), .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "When the part was ground or measured.")),
         SPARKOUT_FIELD(MeasuredPart, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
+                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };
     static const StructInfo info =
         makeTable<MeasuredPart>(SPARKOUT_NOOP("Struct", "Measured part"), rows);
@@ -172,8 +174,8 @@ const StructInfo& tableOf<MeasuredTrace>() {
         SPARKOUT_FIELD(MeasuredTrace, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 199},
                        .nullMeaning = SPARKOUT_NOOP("Input", "where the gauge measures"),
-                       .hint = SPARKOUT_NOOP("Input", "Where a size was recorded: the zone or "
-                                                      "section, counted from 0.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Zone or section where a size was recorded, counted from 0.")),
         SPARKOUT_FIELD(
             MeasuredTrace, factor_kw_per_a, .label = SPARKOUT_NOOP("Input", "Power to current"),
             .unit = "kW/A", .hard = {0, 1000, true}, .soft = {0.05, 2},
@@ -205,10 +207,10 @@ const StructInfo& tableOf<MeasuredTrace>() {
         SPARKOUT_FIELD(
             MeasuredTrace, source_samples, .label = SPARKOUT_NOOP("Input", "Samples of the source"),
             .hard = {0, 1e9}, .sparse = true,
-            .hint = SPARKOUT_NOOP("Input", "Number of samples in that file; where there were more "
-                                           "than are kept, they were reduced to means.")),
+            .hint = SPARKOUT_NOOP("Input", "Number of samples in that file; if they exceeded the "
+                                           "limit, they were reduced to means.")),
         SPARKOUT_FIELD(MeasuredTrace, note, .label = SPARKOUT_NOOP("Input", "Note"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
+                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };
     static const StructInfo info =
         makeTable<MeasuredTrace>(SPARKOUT_NOOP("Struct", "Measured trace"), rows);
@@ -221,13 +223,15 @@ const StructInfo& tableOf<MeasuredSummary>() {
         SPARKOUT_FIELD(MeasuredSummary, quantity, .label = SPARKOUT_NOOP("Input", "Quantity"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Quantity that the statistics describe.")),
-        SPARKOUT_FIELD(MeasuredSummary, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
-                       .hard = {0, 199},
-                       .hint = SPARKOUT_NOOP("Input", "Where it was measured: the zone or section, "
-                                                      "counted from 0 from the headstock.")),
+        SPARKOUT_FIELD(
+            MeasuredSummary, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
+            .hard = {0, 199},
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Zone or section where it was measured, counted from 0 at the headstock.")),
         SPARKOUT_FIELD(MeasuredSummary, count, .label = SPARKOUT_NOOP("Input", "Number of parts"),
                        .hard = {2, 1'000'000}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "How many parts were measured.")),
+                       .hint = SPARKOUT_NOOP("Input", "Number of parts that were measured.")),
         SPARKOUT_FIELD(MeasuredSummary, mean_um, .label = SPARKOUT_NOOP("Input", "Mean"),
                        .unit = "µm", .hard = sizes_um, .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Mean of the parts; of a diameter its mean "
@@ -258,7 +262,7 @@ const StructInfo& tableOf<MeasuredSummary>() {
                        .hint = SPARKOUT_NOOP("Input", "Maximum value of all parts.")),
         SPARKOUT_FIELD(MeasuredSummary, note, .label = SPARKOUT_NOOP("Input", "Note"),
                        .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),
+                       .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the data.")),
     };
     static const StructInfo info =
         makeTable<MeasuredSummary>(SPARKOUT_NOOP("Struct", "Measured statistics"), rows);
@@ -286,9 +290,10 @@ const StructInfo& tableOf<Calibration>() {
                        .hint = SPARKOUT_NOOP("Input", "Data used for the calibration.")),
         SPARKOUT_FIELD(Calibration, count, .label = SPARKOUT_NOOP("Input", "Measured values"),
                        .hard = {1, 1e9},
-                       .hint = SPARKOUT_NOOP("Input", "How many measured values it rests on.")),
+                       .hint = SPARKOUT_NOOP("Input", "Number of measured values used.")),
         SPARKOUT_FIELD(Calibration, date, .label = SPARKOUT_NOOP("Input", "Date"), .sparse = true,
-                       .hint = SPARKOUT_NOOP("Input", "When it was calibrated, ISO 8601.")),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Date and time of the calibration, ISO 8601.")),
     };
     static const StructInfo info =
         makeTable<Calibration>(SPARKOUT_NOOP("Struct", "Calibration"), rows);

@@ -53,7 +53,7 @@ struct ConstMember {
 [[nodiscard]] ConstMember memberIn(const StructInfo& table, const void* root,
                                    std::string_view path);
 
-/// The number of a row whose kind is one; empty when not given.
+/// The value of a row of numbers; empty if it is not given.
 [[nodiscard]] std::optional<double> numberIn(const Field& field, const void* owner);
 void setNumberIn(const Field& field, void* owner, std::optional<double> value);
 

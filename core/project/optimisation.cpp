@@ -33,10 +33,11 @@ const StructInfo& tableOf<Cost>() {
                        .required = conditions::always, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Cost of an hour, in any currency."),
                        .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
-        SPARKOUT_FIELD(Cost, handling_s, .label = SPARKOUT_NOOP("Input", "Handling"),
-                       .symbol = "t_h", .unit = "s", .hard = {0, 1e6}, .page = Page::search,
-                       .hint = SPARKOUT_NOOP("Input", "Loading and measuring, beside the cycle."),
-                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(
+            Cost, handling_s, .label = SPARKOUT_NOOP("Input", "Handling"), .symbol = "t_h",
+            .unit = "s", .hard = {0, 1e6}, .page = Page::search,
+            .hint = SPARKOUT_NOOP("Input", "Loading and measuring, in addition to the cycle."),
+            .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
         SPARKOUT_FIELD(Cost, dressing_s, .label = SPARKOUT_NOOP("Input", "Dressing time"),
                        .symbol = "t_d", .unit = "s", .hard = {0, 1e6}, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Shared by the parts between dressings."),
@@ -50,7 +51,7 @@ const StructInfo& tableOf<Cost>() {
                        .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .symbol = "N",
                        .hard = {1, 1000000},
                        .nullMeaning = SPARKOUT_NOOP(
-                           "Input", "as the batch's dullness grows, else no dressing"),
+                           "Input", "as the batch's dullness grows, otherwise no dressing"),
                        .page = Page::search,
                        .hint = SPARKOUT_NOOP(
                            "Input", "For the minimum cost with a wheel that wears, the search "
@@ -71,10 +72,10 @@ Field unfedSteps() {
             .nullMeaning = SPARKOUT_NOOP("Input", "none"),
             .whole = true,
             .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Double strokes or revolutions of one more stage that feeds "
-                                  "nothing and takes the last stock: a list, or from, to and step; "
-                                  "0 is no such stage."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Double strokes or revolutions of one more stage without feed that removes the "
+                "last stock: a list, or from, to and step; 0: without this stage."),
             .source = "MODEL-7"});
 }
 
@@ -82,10 +83,10 @@ Field adaptiveLevels() {
     return SPARKOUT_FIELD(
         Optimisation, adaptive, .label = SPARKOUT_NOOP("Input", "Levels follow the answer"),
         .page = Page::search,
-        .hint =
-            SPARKOUT_NOOP("Input", "Levels of the feeds are added around the answer, and beyond "
-                                   "the edge of the grid where the answer lies there and the "
-                                   "machine allows it; then the grid is searched again."),
+        .hint = SPARKOUT_NOOP(
+            "Input",
+            "Levels of the feeds are added around the answer, and beyond the edge of the grid if "
+            "the answer lies there and the machine allows it; then the grid is searched again."),
         .source = "MODEL-8");
 }
 
@@ -96,9 +97,9 @@ Field continuousLevels() {
         .hard = {0, 10, true},
         .nullMeaning = SPARKOUT_NOOP("Input", "cycles without one are searched"),
         .relevant = conditions::travels, .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input",
-                              "A stage then has one of these, and no radial feed at the reversals, "
-                              "or one of the radial feeds: a list, or from, to and step."),
+        .hint = SPARKOUT_NOOP(
+            "Input", "A stage then has either one of these and no radial feed at the reversals, or "
+                     "one of the radial feeds: a list, or from, to and step."),
         .source = "MODEL-8");
 }
 
@@ -117,10 +118,10 @@ Field objective() {
     return SPARKOUT_FIELD(
         Optimisation, objective, .label = SPARKOUT_NOOP("Input", "Objective"), .page = Page::search,
         .usual = true,
-        .hint = SPARKOUT_NOOP(
-            "Input", "Cost and wheel life are searched over the parts from one dressing "
-                     "to the next: the cycle holds for all of them, with the wheel as "
-                     "the part's wear makes it. The minimum cost needs the cost of a part."),
+        .hint = SPARKOUT_NOOP("Input",
+                              "Cost and wheel life are searched over the parts from one dressing "
+                              "to the next: the cycle is fit for all of them, with the wheel as "
+                              "worn by the parts. The minimum cost needs the cost of a part."),
         .source = "GILBERT1950");
 }
 
@@ -143,10 +144,10 @@ Field ratioDistance() {
         .label = SPARKOUT_NOOP("Input", "Rotation ratio off a whole number"),
         .hard = {0, 0.45, true}, .nullMeaning = SPARKOUT_NOOP("Input", "any rotation ratio"),
         .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input", "Minimum distance of n_k/n, the revolutions of the wheel "
-                                       "for one of the work, from a whole number: the search "
-                                       "leaves out work speeds that are nearer to one, at which "
-                                       "waves of the wheel print onto one another."),
+        .hint = SPARKOUT_NOOP(
+            "Input", "Minimum distance of n_k/n, the revolutions of the wheel for one of the work, "
+                     "from a whole number: the search leaves out work speeds that are nearer to "
+                     "one, at which waves of the wheel print onto one another."),
         .source = "BADGER2010");
 }
 
@@ -155,7 +156,7 @@ Field costOfPart() {
         Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
         .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
         .hint = SPARKOUT_NOOP(
-            "Input", "Shown beside the time; the minimum is searched where that is the objective."),
+            "Input", "Shown beside the time; the minimum is searched if it is the objective."),
         .source = "GILBERT1950");
 }
 
@@ -188,15 +189,16 @@ const StructInfo& tableOf<Optimisation>() {
         adaptiveLevels(),
         marginWithin(),
         SPARKOUT_FIELD(
-            Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
+            Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must be fit for"),
             .page = Page::search, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "The parts for which the cycle must meet the drawing."),
             .source = "MODEL-8"),
         ratioDistance(),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
-            .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"),
+            .unit = "mm/double stroke", .hard = {0, 1, true},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .page = Page::search,
             .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
@@ -221,29 +223,32 @@ const StructInfo& tableOf<Optimisation>() {
             .label = SPARKOUT_NOOP("Input", "Levels of the work speed"), .unit = "rev/min",
             .hard = {0.1, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
             .page = Page::search, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "One value for the whole cycle; its levels as a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, dwell_entry_s,
             .label = SPARKOUT_NOOP("Input", "Levels of the entry dwell"), .unit = "s",
             .hard = {0, 3600}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
             .relevant = conditions::travels, .page = Page::search,
-            .hint =
-                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "One value for the whole cycle; its levels as a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Levels of the exit dwell"),
             .unit = "s", .hard = {0, 3600},
             .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
             .relevant = conditions::travels, .page = Page::search,
-            .hint =
-                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "One value for the whole cycle; its levels as a list, or from, to and step."),
             .source = "MODEL-8"),
         unfedSteps(),
         SPARKOUT_FIELD(
             Optimisation, stage_radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Radial feed by stage"), .unit = "mm/dbl stroke",
+            .label = SPARKOUT_NOOP("Input", "Radial feed by stage"), .unit = "mm/double stroke",
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .count = 2,
             .page = Page::search,

@@ -55,7 +55,7 @@ struct Optimisation {
     Levels work_speed_rpm; ///< n; not given: the machine's [rev/min]
     Levels dwell_entry_s;  ///< traverse; not given: the machine's [s]
     Levels dwell_exit_s;   ///< traverse; not given: the machine's [s]
-    Levels unfed_steps;    ///< a spark-out's strokes or revolutions; 0: no such stage
+    Levels unfed_steps;    ///< a spark-out's strokes or revolutions; 0: without this stage
     // Lower and upper bound of each stage, a row for each stage from the first.
     NumberRows stage_radial_feed_mm;         ///< [mm]
     NumberRows stage_axial_feed_mm_min;      ///< [mm/min]

@@ -40,34 +40,34 @@ const StructInfo& tableOf<CardEntries>() {
                        .label = SPARKOUT_NOOP("Input", "Document number"), .sparse = true,
                        .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Designation of the operation card.")),
-        SPARKOUT_FIELD(CardEntries, operation_number,
-                       .label = SPARKOUT_NOOP("Input", "Operation number"), .sparse = true,
-                       .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Number of the operation in the part's "
-                                                      "route.")),
+        SPARKOUT_FIELD(
+            CardEntries, operation_number, .label = SPARKOUT_NOOP("Input", "Operation number"),
+            .sparse = true, .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Number of the operation in the part's route.")),
         SPARKOUT_FIELD(CardEntries, letter, .label = SPARKOUT_NOOP("Input", "Letter"),
                        .sparse = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Letter of the document by GOST 3.1102, "
-                                                      "for example A.")),
-        SPARKOUT_FIELD(CardEntries, program, .label = SPARKOUT_NOOP("Input", "NC program"),
-                       .sparse = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Designation of the program of the numerical "
-                                                      "control.")),
-        SPARKOUT_FIELD(CardEntries, mass_kg, .label = SPARKOUT_NOOP("Input", "Mass of the part"),
-                       .unit = "kg", .hard = {0, 100000, true}, .soft = {0.001, 2000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not given"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Mass by the drawing, or by the steps of the "
-                                                      "shaft as solid steel.")),
-        SPARKOUT_FIELD(CardEntries, blank, .label = SPARKOUT_NOOP("Input", "Profile and sizes"),
-                       .sparse = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Profile and sizes of the blank, for example "
-                                                      "round bar ⌀50 × 325.")),
-        SPARKOUT_FIELD(CardEntries, blank_mass_kg,
-                       .label = SPARKOUT_NOOP("Input", "Mass of the blank"), .unit = "kg",
-                       .hard = {0, 100000, true}, .soft = {0.001, 2000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not given"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Mass of the blank that the part is made "
-                                                      "of.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Letter of the document by GOST 3.1102, for example A.")),
+        SPARKOUT_FIELD(
+            CardEntries, program, .label = SPARKOUT_NOOP("Input", "NC program"), .sparse = true,
+            .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Designation of the program of the numerical control.")),
+        SPARKOUT_FIELD(
+            CardEntries, mass_kg, .label = SPARKOUT_NOOP("Input", "Mass of the part"), .unit = "kg",
+            .hard = {0, 100000, true}, .soft = {0.001, 2000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not given"), .page = Page::part,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Mass by the drawing, or by the steps of the shaft as solid steel.")),
+        SPARKOUT_FIELD(
+            CardEntries, blank, .label = SPARKOUT_NOOP("Input", "Profile and sizes"),
+            .sparse = true, .page = Page::part,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Profile and sizes of the blank, for example round bar ⌀50 × 325.")),
+        SPARKOUT_FIELD(
+            CardEntries, blank_mass_kg, .label = SPARKOUT_NOOP("Input", "Mass of the blank"),
+            .unit = "kg", .hard = {0, 100000, true}, .soft = {0.001, 2000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not given"), .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Mass of the blank that the part is made of.")),
     };
     static const StructInfo info =
         makeTable<CardEntries>(SPARKOUT_NOOP("Struct", "Operation card"), rows);
@@ -186,15 +186,15 @@ const StructInfo& tableOf<Tolerance>() {
             .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Maximum roundness deviation the drawing allows."),
             .source = "ISO12181"),
-        SPARKOUT_FIELD(Tolerance, radial_runout_um,
-                       .label = SPARKOUT_NOOP("Input", "Radial runout"), .symbol = "Δ_b",
-                       .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
-                       .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Maximum R_max − R_min of a section about the centre axis the "
-                                    "drawing allows."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Tolerance, radial_runout_um, .label = SPARKOUT_NOOP("Input", "Radial runout"),
+            .symbol = "Δ_b", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+            .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Maximum R_max − R_min of a section about the centre axis the drawing allows."),
+            .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Tolerance, cylindricity_um, .label = SPARKOUT_NOOP("Input", "Cylindricity"),
             .symbol = "Δ_c", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
@@ -268,12 +268,14 @@ const StructInfo& tableOf<SteadyRest>() {
 template <>
 const StructInfo& tableOf<SurfaceGap>() {
     static const std::array rows{
-        SPARKOUT_FIELD(SurfaceGap, from_deg, .label = SPARKOUT_NOOP("Input", "Gap begins at"),
-                       .symbol = "φ_0", .unit = "°", .hard = {0, 360},
-                       .required = conditions::always, .page = Page::part, .usual = true,
-                       .hint = SPARKOUT_NOOP("Input", "Angle of the gap's first edge, counted as "
-                                                      "the radii are, from radius 0 on."),
-                       .column = SPARKOUT_NOOP("InputBrief", "From"), .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            SurfaceGap, from_deg, .label = SPARKOUT_NOOP("Input", "Gap begins at"), .symbol = "φ_0",
+            .unit = "°", .hard = {0, 360}, .required = conditions::always, .page = Page::part,
+            .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Angle of the gap's first edge, counted as the radii are, from radius 0 on."),
+            .column = SPARKOUT_NOOP("InputBrief", "From"), .source = "MODEL-4"),
         SPARKOUT_FIELD(
             SurfaceGap, width_deg, .label = SPARKOUT_NOOP("Input", "Gap width"), .symbol = "Δφ",
             .unit = "°", .hard = {0, 350}, .soft = {0, 120}, .required = conditions::always,
@@ -314,17 +316,15 @@ const StructInfo& tableOf<Shaft>() {
         SPARKOUT_FIELD(
             Shaft, segments, .label = SPARKOUT_NOOP("Input", "Segments of the shaft"),
             .hard = {0, 100}, .relevant = conditions::external, .page = Page::part, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "Steps of the shaft from the headstock on; needed when the "
-                                       "compliance is computed from the stiffness."),
+            .hint = SPARKOUT_NOOP("Input", "Steps of the shaft from the headstock on; needed when "
+                                           "the compliance is computed from the stiffness."),
             .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Shaft, ground_from_mm, .label = SPARKOUT_NOOP("Input", "Ground length begins at"),
             .symbol = "x_0", .unit = "mm", .hard = {0, 20000}, .relevant = conditions::external,
             .page = Page::part, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft to the ground "
-                                       "length."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Distance from the headstock end of the shaft to the ground length."),
             .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Shaft, youngs_modulus_gpa, .label = SPARKOUT_NOOP("Input", "Modulus of elasticity"),
@@ -358,19 +358,19 @@ const StructInfo& tableOf<Part>() {
         SPARKOUT_FIELD(
             Part, name, .label = SPARKOUT_NOOP("Input", "Part"), .page = Page::part, .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Name of the part, as it stands in the drawing.")),
-        SPARKOUT_FIELD(Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
-                       .page = Page::part, .usual = true,
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "External: a shaft. Internal: a bore, ground by a "
-                                             "wheel on a quill."),
-                       .source = "MODEL-3"),
+        SPARKOUT_FIELD(
+            Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .page = Page::part,
+            .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input", "External: a shaft. Internal: a bore, ground by a wheel on a quill."),
+            .source = "MODEL-3"),
         SPARKOUT_FIELD(
             Part, blind_bore, .label = SPARKOUT_NOOP("Input", "Blind bore"),
             .relevant = boreWithTravel, .sparse = true, .page = Page::part, .usual = true,
-            .hint =
-                SPARKOUT_NOOP("Input", "A bore with a wall at its headstock end, where the wheel "
-                                       "cannot leave it: the overrun there is 0, or negative where "
-                                       "the wheel turns before the wall."),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "A bore with a wall at its headstock end, where the wheel cannot leave it: the "
+                "overrun there is 0, or negative where the wheel turns before the wall."),
             .source = "MODEL-5"),
         SPARKOUT_FIELD(Part, diameter_mm, .label = SPARKOUT_NOOP("Input", "Diameter"),
                        .symbol = "d", .unit = "mm", .hard = {1, 2000}, .soft = {3, 500},
@@ -381,13 +381,13 @@ const StructInfo& tableOf<Part>() {
                        .symbol = "es", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Upper limit of the diameter less the nominal diameter."),
+                           "Input", "Upper limit of the diameter minus the nominal diameter."),
                        .formula = "D_max = d + es", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, lower_deviation_um, .label = SPARKOUT_NOOP("Input", "Lower deviation"),
                        .symbol = "ei", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part, .usual = true,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Lower limit of the diameter less the nominal diameter."),
+                           "Input", "Lower limit of the diameter minus the nominal diameter."),
                        .formula = "D_min = d + ei", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, length_mm, .label = SPARKOUT_NOOP("Input", "Ground length"),
                        .symbol = "L_p", .unit = "mm", .hard = {0.1, 10000}, .soft = {2, 2000},
@@ -406,24 +406,21 @@ const StructInfo& tableOf<Part>() {
                        .symbol = "ΔR", .unit = "mm", .hard = {0, 2}, .soft = {0, 0.2},
                        .required = conditions::always, .relevant = notMeasured, .slider = true,
                        .page = Page::part, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "R_max − R_min of the blank. R_max = R_t + Π + ΔR is where the "
-                                    "wheel touches first."),
+                       .hint = SPARKOUT_NOOP("Input", "R_max − R_min of the blank. R_max = R_t + Π "
+                                                      "+ ΔR is where the wheel touches first."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, radii_per_section,
-                       .label = SPARKOUT_NOOP("Input", "Radii per section"), .symbol = "K",
-                       .hard = {4, 360}, .soft = {12, 360}, .page = Page::part,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Radii followed in each cross-section at equal angles, an even "
-                                    "number."),
-                       .formula = "φ_k = 2π·k/K", .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, profile, .label = SPARKOUT_NOOP("Input", "Form of the blank"),
-                       .page = Page::part,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Out-of-roundness of the blank: ellipse "
-                                    "R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, "
-                                    "or a measured profile."),
-                       .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, radii_per_section, .label = SPARKOUT_NOOP("Input", "Radii per section"),
+            .symbol = "K", .hard = {4, 360}, .soft = {12, 360}, .page = Page::part,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Radii followed in each cross-section at equal angles, an even number."),
+            .formula = "φ_k = 2π·k/K", .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, profile, .label = SPARKOUT_NOOP("Input", "Form of the blank"), .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + "
+                                  "(p·sin φ)²), eccentric circle, n lobes, or a measured profile."),
+            .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, lobes, .label = SPARKOUT_NOOP("Input", "Lobes"), .symbol = "n_l",
             .hard = {2, 180}, .soft = {2, 30}, .relevant = lobed, .page = Page::part,
@@ -433,17 +430,16 @@ const StructInfo& tableOf<Part>() {
             Part, radii_um, .label = SPARKOUT_NOOP("Input", "Measured profile"), .unit = "µm",
             .hard = {-10000, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "not measured"),
             .required = measured, .relevant = measured, .page = Page::part,
-            .hint =
-                SPARKOUT_NOOP("Input", "Deviations from the maximum radius at equal angles, one a "
-                                       "radius; only their differences matter."),
+            .hint = SPARKOUT_NOOP("Input", "Deviations from the maximum radius at equal angles, "
+                                           "one a radius; only their differences matter."),
             .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, gaps, .label = SPARKOUT_NOOP("Input", "Gaps of the surface"),
-                       .hard = {0, 60}, .sparse = true, .page = Page::part, .usual = true,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Keyways, splines, flats: ranges of angle without a surface, "
-                                    "the same all along the ground length. Their radii are not "
-                                    "ground, gauged or judged."),
-                       .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, gaps, .label = SPARKOUT_NOOP("Input", "Gaps of the surface"), .hard = {0, 60},
+            .sparse = true, .page = Page::part, .usual = true,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Keyways, splines, flats: ranges of angle without a surface, the same all "
+                         "along the ground length. Their radii are not ground, gauged or judged."),
+            .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, zone_stock_mm, .label = SPARKOUT_NOOP("Input", "Further stock by zone"),
             .symbol = "δΠ", .unit = "mm", .hard = {-5, 5}, .soft = {-0.2, 0.2},

@@ -72,8 +72,8 @@ const StructInfo& tableOf<Project>() {
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the project.")),
         SPARKOUT_FIELD(Project, coolant, .label = SPARKOUT_NOOP("Input", "Coolant"), .sparse = true,
                        .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Coolant and its concentration, for the "
-                                                      "operation card.")),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Coolant and its concentration, for the operation card.")),
         SPARKOUT_FIELD(Project, operation, .label = SPARKOUT_NOOP("Input", "Operation"),
                        .required = conditions::always, .page = Page::cycle, .usual = true,
                        .hint = SPARKOUT_NOOP(
@@ -91,14 +91,13 @@ const StructInfo& tableOf<Project>() {
         SPARKOUT_FIELD(Project, gauge, .label = SPARKOUT_NOOP("Input", "Gauge")),
         SPARKOUT_FIELD(Project, cycle, .label = SPARKOUT_NOOP("Input", "Cycle"),
                        .required = conditions::always),
-        SPARKOUT_FIELD(Project, sections,
-                       .label = SPARKOUT_NOOP("Input", "Sections along the length"), .symbol = "J",
-                       .hard = {1, 200}, .soft = {1, 50}, .relevant = conditions::sections,
-                       .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Sections at the middles of equal slices of the ground length, "
-                                    "counted from the headstock."),
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Project, sections, .label = SPARKOUT_NOOP("Input", "Sections along the length"),
+            .symbol = "J", .hard = {1, 200}, .soft = {1, 50}, .relevant = conditions::sections,
+            .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input", "Sections at the middles of equal slices of the ground "
+                                           "length, counted from the headstock."),
+            .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Project, sections_coupled, .label = SPARKOUT_NOOP("Input", "Sections coupled"),
             .relevant = conditions::sections, .page = Page::cycle,
@@ -128,8 +127,8 @@ const StructInfo& tableOf<Project>() {
             .label = SPARKOUT_NOOP("Input", "Minimum overlap of the last stage"), .hard = {1, 1000},
             .soft = {1, 20}, .nullMeaning = SPARKOUT_NOOP("Input", "same as for every stage"),
             .relevant = conditions::travels, .page = Page::cycle,
-            .hint = SPARKOUT_NOOP("Input", "The same for the last stage, which leaves the surface; "
-                                           "usually 2."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "Minimum ratio for the last stage, which leaves the surface; usually 2."),
             .formula = "B·n/S_ax", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Project, least_steps, .label = SPARKOUT_NOOP("Input", "Minimum steps of a stage"),
@@ -149,16 +148,15 @@ const StructInfo& tableOf<Project>() {
         SPARKOUT_FIELD(Project, optimisation, .label = SPARKOUT_NOOP("Input", "Optimisation"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no grid described"),
                        .page = Page::search, .usual = true),
-        SPARKOUT_FIELD(Project, sweep, .label = SPARKOUT_NOOP("Input", "Sweep"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "no input is varied"),
-                       .hint =
-                           SPARKOUT_NOOP("Input", "Inputs that the view of sweeps varies over a "
-                                                  "range.")),
-        SPARKOUT_FIELD(Project, measured, .label = SPARKOUT_NOOP("Input", "Measurements"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "nothing is measured"),
-                       .hint =
-                           SPARKOUT_NOOP("Input", "Measured parts and traces to compare with the "
-                                                  "prediction, and what was calibrated on them.")),
+        SPARKOUT_FIELD(
+            Project, sweep, .label = SPARKOUT_NOOP("Input", "Sweep"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "no input is varied"),
+            .hint = SPARKOUT_NOOP("Input", "Inputs that the view of sweeps varies over a range.")),
+        SPARKOUT_FIELD(
+            Project, measured, .label = SPARKOUT_NOOP("Input", "Measurements"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "nothing is measured"),
+            .hint = SPARKOUT_NOOP("Input", "Measured parts and traces to compare with the "
+                                           "prediction, and the inputs calibrated on them.")),
         SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"),
                        .hard = {0, 1000},
                        .hint = SPARKOUT_NOOP("Input", "Runs kept for comparison.")),

@@ -101,9 +101,11 @@ const StructInfo& tableOf<SweepAxis>() {
         SPARKOUT_FIELD(SweepAxis, points, .label = SPARKOUT_NOOP("Input", "Points"),
                        .hard = {2, 101},
                        .hint = SPARKOUT_NOOP("Input", "Number of values, both ends included.")),
-        SPARKOUT_FIELD(SweepAxis, spacing, .label = SPARKOUT_NOOP("Input", "Spacing"),
-                       .hint = SPARKOUT_NOOP("Input", "By equal steps, or by equal ratios of "
-                                                      "positive values (logarithmic).")),
+        SPARKOUT_FIELD(
+            SweepAxis, spacing, .label = SPARKOUT_NOOP("Input", "Spacing"),
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Values at equal steps, or at equal ratios of positive values (logarithmic).")),
     };
     static const StructInfo info =
         makeTable<SweepAxis>(SPARKOUT_NOOP("Struct", "Varied input"), rows);
@@ -113,9 +115,10 @@ const StructInfo& tableOf<SweepAxis>() {
 template <>
 const StructInfo& tableOf<Sweep>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Sweep, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"),
-                       .hard = {1, 2}, .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "One for curves, two for a map.")),
+        SPARKOUT_FIELD(
+            Sweep, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"), .hard = {1, 2},
+            .required = conditions::always,
+            .hint = SPARKOUT_NOOP("Input", "One varied input gives curves, two give a map.")),
     };
     static const StructInfo info = makeTable<Sweep>(SPARKOUT_NOOP("Struct", "Sweep"), rows);
     return info;

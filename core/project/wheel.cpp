@@ -482,10 +482,9 @@ const StructInfo& tableOf<Wheel>() {
         SPARKOUT_FIELD(
             Wheel, force_recipe, .label = SPARKOUT_NOOP("Input", "Force by the wheel's recipe"),
             .nullMeaning = SPARKOUT_NOOP("Input", "by the law's coefficients"), .page = Page::wheel,
-            .hint =
-                SPARKOUT_NOOP("Input", "The cutting force from grain size and structure, summed "
-                                       "over the grains in contact, in place of the law that "
-                                       "takes all chips together for the metal removed."),
+            .hint = SPARKOUT_NOOP(
+                "Input", "The cutting force from grain size and structure, summed over the grains "
+                         "in contact, instead of the law for all chips together."),
             .source = "PEREVERZEV1999"),
         SPARKOUT_FIELD(Wheel, measured_ra, .label = SPARKOUT_NOOP("Input", "Measured Ra"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "Ra is an estimate"),

@@ -67,7 +67,7 @@ struct Wheel {
 ///
 ///     κ = 2·b_j·n_c/(m_D·sin β_1),   η = l_g·b_j·n_c.
 ///
-/// Where the chips of the grains are together the metal that the wheel takes off, κ = 1 and the two
+/// Where the chips of the grains make up the metal removed, κ = 1 and the two
 /// laws are one; η is then the share of wear flats on the working surface, as its name says.
 struct RecipeShares {
     double cuttingGrains_mm2 = 0; ///< n_c [1/mm²]

@@ -179,7 +179,7 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .label = SPARKOUT_NOOP("Requirement", "Radial feed in range"),
      .brief = SPARKOUT_NOOP("RequirementBrief", "Radial feed"),
      .unit = "mm",
-     .unitInFull = "mm/dbl stroke",
+     .unitInFull = "mm/double stroke",
      .digits = {.printed = 5},
      .scope = ConstraintScope::setting,
      .source = LimitSource::range,
@@ -232,7 +232,7 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .label = SPARKOUT_NOOP("Requirement", "Gauge commands"),
      .brief = SPARKOUT_NOOP("RequirementBrief", "Gauge commands"),
      .broken =
-         SPARKOUT_NOOP("Requirement", "the stages need %2 more gauge commands than there are"),
+         SPARKOUT_NOOP("Requirement", "the stages need %2 more gauge commands than available"),
      .digits = {.printed = 0, .shown = 0},
      .scope = ConstraintScope::setting,
      .source = LimitSource::input,

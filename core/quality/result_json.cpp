@@ -121,20 +121,21 @@ constexpr Output<ZoneFigures> zoneFormRows[] = {
     {{.key = "total_runout_um",
       .label = SPARKOUT_NOOP("Output", "Total runout"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "About the centre axis, over all sections, with the "
-                                      "machine's own."),
+      .hint = SPARKOUT_NOOP(
+          "Output",
+          "About the centre axis, over all sections, including the machine's own runout."),
       .knowsMachine = isRunoutKnown},
      [](const ZoneFigures& z) { return z.surface.um(z.form->totalRunout_mm); }},
     {{.key = "taper_um",
       .label = SPARKOUT_NOOP("Output", "Taper"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Mean radius at the zone's last section less that at its "
-                                      "first, of the straight line through them.")},
+      .hint = SPARKOUT_NOOP("Output", "Mean radius at the zone's last section minus that at its "
+                                      "first, on the straight line through them.")},
      [](const ZoneFigures& z) { return z.surface.um(z.form->profile.taper_mm); }},
     {{.key = "crown_um",
       .label = SPARKOUT_NOOP("Output", "Crown"),
       .unit = "µm",
-      .hint = SPARKOUT_NOOP("Output", "Mean radius in the zone's middle less that at its ends: "
+      .hint = SPARKOUT_NOOP("Output", "Mean radius in the zone's middle minus that at its ends: "
                                       "above 0 a barrel, below it a saddle.")},
      [](const ZoneFigures& z) { return z.surface.um(z.form->profile.crown_mm); }},
 };

@@ -33,7 +33,7 @@ constexpr double usualRaFactor = 9.5;
 constexpr double restShare = 0.5;     ///< r, share of Ra that spark-out does not remove
 constexpr double deflectionTimes = 2; ///< ratio of τ to the time constant of the deflection
 
-/// h before each step in the steady state, for steps of a in so many passes.
+/// h before each step in the steady state, for steps of a in this many passes.
 double steadyPress(const LaneBalance& balance, int passes, double a) {
     constexpr int mostSteps = 10'000;
     constexpr double settled = 1e-9;

@@ -143,8 +143,7 @@ constexpr Output<ShopColumn> shopColumnRows[] = {
           "Output",
           "Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the maximum actual feed of the stage: how "
           "hard the contact loads a grain, for wheels of any size. Large, the grains break out; "
-          "small, "
-          "they rub. No band holds for every wheel: compare with cycles known to be good.")},
+          "small, they rub. No band holds for every wheel: compare with cycles known to be good.")},
      [](const ShopColumn& c) { return c.aggressiveness; }},
     {{.key = "overlap_ratio",
       .label = SPARKOUT_NOOP("Output", "Overlap B/s"),
@@ -158,11 +157,10 @@ constexpr Output<ShopColumn> shopColumnRows[] = {
     {{.key = "specific_energy_j_mm3",
       .label = SPARKOUT_NOOP("Output", "Energy"),
       .unit = "J/mm³",
-      .hint = SPARKOUT_NOOP(
-          "Output",
-          "Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: "
-          "20…120 J/mm³. A dull wheel needs more; so does spark-out, where the wheel rubs "
-          "more than it cuts.")},
+      .hint =
+          SPARKOUT_NOOP("Output", "Specific energy: ∫P_z·V_k dt over the volume removed. Plausible "
+                                  "for steel: 20…120 J/mm³. A dull wheel needs more; so does "
+                                  "spark-out, where the wheel rubs more than it cuts.")},
      [](const ShopColumn& c) { return c.energy_j_mm3; },
      [](const ShopColumn& c) { return c.specificEnergyBand(); }},
     {{.key = "specific_energy_plausible", .detail = true},
@@ -220,10 +218,10 @@ constexpr Output<ShopNumbers> shopRows[] = {
      [](const ShopNumbers& shop) { return shop.wheelSpeed_rpm; }},
     {{.key = "rotation_ratio",
       .label = SPARKOUT_NOOP("Output", "Rotation ratio"),
-      .hint = SPARKOUT_NOOP("Output",
-                            "Wheel rev/min to work rev/min. Within 0.05 of a whole number the "
-                            "waves of a wheel out of true print onto one another: over ten "
-                            "revolutions they shift by less than half of their length.")},
+      .hint =
+          SPARKOUT_NOOP("Output", "Wheel rev/min to work rev/min. Within 0.05 of a whole number "
+                                  "the waves of a wheel out of true print onto one another: over "
+                                  "ten revolutions they shift by less than half of their length.")},
      [](const ShopNumbers& shop) { return shop.rotationRatio; },
      [](const ShopNumbers& shop) {
          return shop.ratioNearInteger() ? BandSide::above : BandSide::inside;

@@ -124,7 +124,7 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     if (!(a > 0) && !touches) {
         state(&sheet, "{a}", {"a", 0, "mm"}, {}); // the wheel does not touch it
     } else if (!(a > 0) && (isCoupled(project) || wheelContact(project))) {
-        state(&sheet, "{P_y}", {"P_y", visit.normalForce_n, "N"}, {}); // it touches, and cuts not
+        state(&sheet, "{P_y}", {"P_y", visit.normalForce_n, "N"}, {}); // it touches without cutting
         state(&sheet, "{a}", {"a", 0, "mm"}, {});
         state(&sheet, "{y} = {h}", {"y", h, "mm"}, {{"h", h, "mm"}});
     } else if (isCoupled(project) || wheelContact(project)) {

@@ -190,7 +190,7 @@ const CaseRefuter::State* CaseRefuter::stateAt(Stage& stage, std::size_t count, 
     return &stage.states[count];
 }
 
-/// The next stage of the cycle after so many steps; null after a stop.
+/// The next stage of the cycle after this many steps; null after a stop.
 CaseRefuter::Stage* CaseRefuter::follower(Stage& stage, std::size_t count,
                                           std::span<const GridStage> before, std::size_t place) {
     const std::size_t setting = before[place].setting;

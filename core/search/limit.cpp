@@ -299,8 +299,8 @@ public:
         }
     }
 
-    /// Empty if it cannot be lost in so many passes. Adds the bound of each pass with its time; the
-    /// last ones that count together are one piece.
+    /// Empty if it cannot be lost in this many passes. Adds the bound of each pass with its time;
+    /// the last ones that count together are one piece.
     [[nodiscard]] std::optional<int> count(const std::stop_token& stop, double pass_s,
                                            Pieces& pieces, int& together) const {
         const std::vector<Pass> passes = allPasses(stop);
@@ -320,7 +320,7 @@ public:
         }
         const std::size_t all = before + last;
         if (last > 0 && before == passes.size()) {
-            --before; // the pass that may take all the rest is one of those together
+            --before; // the pass that may remove the whole rest counts among the last ones together
         }
         for (std::size_t n = 0; n < before; ++n) {
             pieces.add(m_left_mm + passes[n].from_mm, m_left_mm + passes[n].to_mm, passes[n].cut,

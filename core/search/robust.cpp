@@ -371,7 +371,7 @@ private:
         std::ranges::move(found.addedCases, std::back_inserter(m_search.cases));
     }
 
-    /// Whether the search must be repeated without asking for capability: no cycle has it, or too
+    /// Whether the search must be repeated without requiring capability: no cycle has it, or too
     /// many lack it.
     [[nodiscard]] bool mustTakeIncapable() {
         const bool hasNone =
@@ -514,7 +514,7 @@ private:
     std::vector<Cycle> m_known;
     SearchOptions m_search;
     bool m_asksCapability;         ///< a heuristic does not leave out cycles that are rejected
-    bool m_takesIncapable = false; ///< the search was repeated without asking for capability
+    bool m_takesIncapable = false; ///< the search was repeated without requiring capability
     Variants m_variants;
     RobustSummary m_summary;
     int m_draws = 0;       ///< from the source

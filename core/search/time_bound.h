@@ -26,7 +26,7 @@ namespace sparkout {
 /// all of the steps ⌈infeed/f⌉ (under position control the last one may be short).
 ///
 /// A stage with a continuous infeed S_c feeds nothing at the reversals: a double stroke takes c(v),
-/// feeds x = f = S_c·c(v) at the most, and r = c(v)/f.
+/// feeds at most x = f = S_c·c(v), and r = c(v)/f.
 ///
 /// Where the gauge's zone or section has a stock Π_g of its own below Π, a stage with more left
 /// than that ends at once: for the bound the infeed there is taken to be Π_g at most.

@@ -200,9 +200,9 @@ std::optional<BestInterval> bestInterval(const DressingInterval& interval, const
 constexpr Output<DressingInterval> intervalRows[] = {
     {{.key = "parts", .hint = "parts of one dressing that meet every requirement"},
      [](const DressingInterval& d) { return d.parts; }},
-    {{.key = "endless", .hint = "no part fails however many there are"},
+    {{.key = "endless", .hint = "whether no part fails, however many are ground"},
      [](const DressingInterval& d) { return d.isEndless; }},
-    {{.key = "at_least", .hint = "as many were tried, and none fails"},
+    {{.key = "at_least", .hint = "whether all parts tried are good"},
      [](const DressingInterval& d) { return !d.end && !d.isEndless; }},
     {{.key = "part_volume_mm3", .unit = "mm³", .hint = "metal that a part loses"},
      [](const DressingInterval& d) { return d.partVolume_mm3; }},
@@ -228,7 +228,7 @@ constexpr Output<WornFailureOf> failureRows[] = {
          const WornFailure& failure = f.failure;
          return std::string(failure.issues.empty() ? statusKey(failure.status) : "refused");
      }},
-    {{.key = "requirement", .hint = "the one that fails by most"},
+    {{.key = "requirement", .hint = "requirement violated most"},
      [](const WornFailureOf& f) {
          return ofWorst<std::string>(
              f, [](auto& c) { return std::string(requirementOf(c.kind).key); });

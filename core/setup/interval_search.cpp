@@ -64,7 +64,7 @@ public:
                 [this](const Numbers& a, const Numbers& b) { return boundOf(a) < boundOf(b); });
             const Numbers numbers = *next;
             if (m_best && boundOf(numbers) >= worthOf(m_best->time_us, m_parts)) {
-                break; // nor is any other
+                break; // no other one has any either
             }
             lookInto(numbers, next);
         }
@@ -151,7 +151,7 @@ private:
         }
     }
 
-    /// The quickest cycle that is fit for so many parts, given a lower bound of its time.
+    /// The quickest cycle that is fit for this many parts, given a lower bound of its time.
     SearchSummary quickestFor(std::int64_t parts, std::int64_t least_us) {
         ++m_summary.searches;
         SearchOptions options = m_options;
@@ -224,7 +224,7 @@ private:
         return stopped() ? std::nullopt : std::optional(std::move(begun));
     }
 
-    /// The last of so many parts that differs from the previous.
+    /// The last of this many parts that differs from the previous.
     [[nodiscard]] std::int64_t lastOf(const Tried& begun, std::int64_t parts) const {
         return std::min({parts, begun.wornOut, m_most});
     }
@@ -289,7 +289,7 @@ private:
         m_telling.resize(std::min(m_telling.size(), most));
     }
 
-    /// The life of a cycle that is fit for so many parts.
+    /// The life of a cycle that is fit for this many parts.
     [[nodiscard]] std::int64_t lifeOf(const FeasibleCycle& found, std::int64_t parts) const {
         std::optional<Tried> begun = begin(found);
         if (!begun || isAny(parts)) {

@@ -3,7 +3,7 @@
 
 #include "core/file/project_file.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"

@@ -78,7 +78,7 @@ struct PieceTime {
     bool isPieceEntered = false;
 };
 
-/// The time of a piece with so many surfaces whose cycles take `cycles_min` together.
+/// The time of a piece with this many surfaces whose cycles take `cycles_min` together.
 [[nodiscard]] PieceTime pieceTime(const SetupTimes& times, std::size_t surfaces, double cycles_min);
 
 /// One surface of a set-up: the project of its cycle, including what all surfaces share.

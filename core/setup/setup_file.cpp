@@ -3,7 +3,7 @@
 
 #include "core/file/project_json.h"
 #include "core/file/strict_json.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/setup/setup.h"
 #include "core/setup/split_project.h"
 
@@ -250,7 +250,8 @@ ReadSetup readSetup(std::string_view text, const std::stop_token& stop) {
         return {};
     }
     if (!root) {
-        constexpr std::string_view blanks = "\xEF\xBB\xBF \t\r\n"; // and the mark of UTF-8
+        constexpr std::string_view blanks =
+            "\xEF\xBB\xBF \t\r\n"; // plus the byte order mark of UTF-8
         text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
         for (Issue& issue : issues) {
             if (issue.code == IssueCode::notJson && !text.starts_with('{')) {

@@ -30,7 +30,7 @@ constexpr Output<SetupRunOf> timeRow(const char* key, const char* hint) {
 constexpr Output<SetupRunOf> partRows[] = {
     {{.key = "completed", .hint = "whether every surface reaches its size"},
      [](const SetupRunOf& r) { return r.run.isCompleted(r.setup); }},
-    {{.key = "holds", .hint = "whether every requirement of every surface holds"},
+    {{.key = "holds", .hint = "whether every requirement of every surface is met"},
      [](const SetupRunOf& r) { return r.run.holds(r.setup); }},
     timeRow<&PieceTime::main_min>("main_time_min", "main time: as given, or the sum of the cycles"),
     timeRow<&PieceTime::auxiliary_min>(

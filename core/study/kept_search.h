@@ -3,7 +3,7 @@
 
 #include "core/file/safe_file.h"
 #include "core/search/search_journal.h"
-#include "core/search/search_state.h"
+#include "core/search/search_record_text.h"
 #include "core/study/search.h"
 
 #include <chrono>

@@ -2,7 +2,7 @@
 #include "core/study/outcome.h"
 
 #include "core/project/validate.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/simulate.h"
 
 #include <cstddef>

@@ -41,7 +41,7 @@ struct Profile {
     double mean_mm = 0;           ///< mean of the radii
     RoundnessZone leastSquares;
     RoundnessZone minimumZone; ///< after addMinimumZone()
-    /// After addHeldCircles(); not given if no such circle exists beside a wide gap.
+    /// After addHeldCircles(); not given if the circle does not exist beside a wide gap.
     std::optional<RoundnessZone> inscribed, circumscribed;
 };
 

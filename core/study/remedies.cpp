@@ -6,7 +6,7 @@
 #include "core/phases/sampled_phases.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/statistics/intervals.h"
 #include "core/study/remedy_trials.h"
 #include "core/units.h"
@@ -43,10 +43,10 @@ constexpr Output<RemedyOf> remedyRows[] = {
       .hint = "JSON pointer of the input; of a stage more, the stage; of a starting cycle, its "
               "first stage"},
      [](const RemedyOf& r) { return r.remedy.setting.path(r.project); }},
-    {{.key = "before", .hint = "its value as it is; none for a stage more or a starting cycle"},
+    {{.key = "before", .hint = "current value; none for one more stage or a starting cycle"},
      [](const RemedyOf& r) { return r.remedy.before(); }},
     {{.key = "value",
-      .hint = "the value to apply: the middle of the interval; none for a starting cycle"},
+      .hint = "value to apply: the middle of the interval; none for a starting cycle"},
      [](const RemedyOf& r) { return ofSetting(r.remedy, r.remedy.value); }},
     {{.key = "with_value",
       .hint = "of a pair: the radial feed of the first stage that goes with it"},
@@ -69,7 +69,7 @@ constexpr Output<RemedyOf> remedyRows[] = {
      [](const RemedyOf& r) { return r.remedy.time_s / units::secondsPerMinute; }},
     {{.key = "time_change_min",
       .unit = "min",
-      .hint = "time of the cycle less that of the cycle as it is; none where that one does not end "
+      .hint = "time of the cycle minus that of the unchanged cycle; none if that one does not end "
               "by itself"},
      [](const RemedyOf& r) {
          const std::optional<double>& change_s = r.remedy.timeChange_s;
@@ -77,26 +77,26 @@ constexpr Output<RemedyOf> remedyRows[] = {
      }},
     {{.key = "stock_mm",
       .unit = "mm",
-      .hint = "stocks per side, for each of which it holds; none under position control, where it "
-              "holds for stocks drawn at random"},
+      .hint = "stocks per side for each of which the cycle is fit; none under position control, "
+              "where stocks are drawn at random"},
      [](const RemedyOf& r) {
          const std::optional<StockRange>& stocks = r.remedy.stocks;
          return stocks ? std::optional(Interval{stocks->from_mm, stocks->to_mm}) : std::nullopt;
      }},
     {{.key = "rank",
-      .hint = "what it costs, by which remedies are ordered: the change of time as a share of the "
-              "time, and how much the setting changes"},
+      .hint = "cost by which remedies are ordered: the change of time as a share of the time, and "
+              "the change of the setting"},
      [](const RemedyOf& r) { return r.remedy.rank; }},
 };
 
 constexpr Output<Remedy> phasesRows[] = {
-    {{.key = "tried", .hint = "stocks drawn at random that it holds for"},
+    {{.key = "tried", .hint = "number of random stocks for which the cycle is fit"},
      [](const Remedy& r) { return std::int64_t{r.phases}; }},
     {{.key = "candidate",
       .hint = "number of the remedy among the changes that were tried on such, from 1"},
      [](const Remedy& r) { return std::int64_t{r.candidate}; }},
     {{.key = "failing_share_at_most",
-      .hint = "share of all such stocks for which it fails, at most"},
+      .hint = "upper bound of the share of stocks for which the cycle is unfit"},
      [](const Remedy& r) { return mostFailing(r.phases, r.candidate); }},
     {{.key = "confidence", .hint = "confidence of that share"}, [](const Remedy&) { return 0.95; }},
 };
@@ -104,12 +104,12 @@ constexpr Output<Remedy> phasesRows[] = {
 constexpr Output<RemedyBatch> batchRows[] = {
     {{.key = "parts", .hint = "parts of the batch drawn at random for the remedy"},
      [](const RemedyBatch& b) { return b.parts; }},
-    {{.key = "bad", .hint = "those of them that are bad"},
+    {{.key = "bad", .hint = "rejected parts among them"},
      [](const RemedyBatch& b) { return b.bad; }},
     {{.key = "candidate",
       .hint = "number of the remedy among the changes that were tried on such, from 1"},
      [](const RemedyBatch& b) { return std::int64_t{b.candidate}; }},
-    {{.key = "bad_share_at_most", .hint = "share of all such parts that is bad, at most"}, mostBad},
+    {{.key = "bad_share_at_most", .hint = "upper bound of the share of rejected parts"}, mostBad},
     {{.key = "confidence", .hint = "confidence of that share"},
      [](const RemedyBatch&) { return 0.95; }},
 };
@@ -123,9 +123,9 @@ constexpr Output<RemedyConflictOf> conflictRows[] = {
     {{.key = "kind", .hint = "narrow, batch, stocks, warned, idle, opposed, several or unmended"},
      [](const RemedyConflictOf& c) { return std::string(conflictKey(c.conflict.kind)); }},
     {{.key = "first",
-      .hint = "the requirement that fails most; none where the cycle does not end by itself"},
+      .hint = "requirement violated most; none if the cycle does not end by itself"},
      [](const RemedyConflictOf& c) { return nameOf(c.conflict.first); }},
-    {{.key = "second", .hint = "the requirement that fails with the setting"},
+    {{.key = "second", .hint = "requirement not met with the setting"},
      [](const RemedyConflictOf& c) { return nameOf(c.conflict.second); }},
     {{.key = "path", .hint = "JSON pointer of the setting that comes nearest"},
      [](const RemedyConflictOf& c) {
@@ -138,7 +138,8 @@ constexpr Output<RemedyConflictOf> conflictRows[] = {
      }},
     {{.key = "stock_mm",
       .unit = "mm",
-      .hint = "stock per side for which the cycle fails with it; none unless the kind is stocks"},
+      .hint =
+          "stock per side for which the cycle is unfit with it; none unless the kind is stocks"},
      [](const RemedyConflictOf& c) {
          return c.conflict.kind == RemedyConflict::Kind::stocks ? std::optional(c.conflict.stock_mm)
                                                                 : std::nullopt;
@@ -149,12 +150,12 @@ constexpr Output<RemedyResult> resultRows[] = {
     {{.key = "goal", .hint = "holds, room or none"},
      [](const RemedyResult& r) { return std::string(goalKey(r.goal)); }},
     {{.key = "fault",
-      .hint = "what is not good as it is: part, as stated, stocks, another one within one infeed, "
-              "batch, too many of its parts, or none"},
+      .hint = "fault of the unchanged project: part (as stated), stocks (another stock within one "
+              "infeed), batch (too many rejected parts) or none"},
      [](const RemedyResult& r) { return std::string(faultKey(r.fault)); }},
     {{.key = "status", .hint = "completed or stopped"},
      [](const RemedyResult& r) { return std::string(r.isComplete() ? "completed" : "stopped"); }},
-    {{.key = "settings", .hint = "settings that there are to try"},
+    {{.key = "settings", .hint = "settings to try"},
      [](const RemedyResult& r) { return std::int64_t(r.settings); }},
     {{.key = "tried", .hint = "settings that were tried"},
      [](const RemedyResult& r) { return std::int64_t(r.tried); }},
@@ -251,7 +252,7 @@ public:
         const bool each = m_count <= fewValues || (m_setting.isCount() && m_last < fewValues);
         return each ? m_last + 1 : std::min(std::max(m_last + m_last / 2, m_last + 1), m_count);
     }
-    /// Continues behind this one.
+    /// Continues after this one.
     void pass(std::int64_t k) { m_last = std::max(m_last, k); }
     void end() { m_last = m_count; }
     [[nodiscard]] std::int64_t last() const { return m_last; }

@@ -7,7 +7,7 @@
 #include "core/phases/sampled_phases.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>

@@ -88,7 +88,7 @@ namespace {
 
 using RunValues = std::vector<RunValue>;
 
-// --- what a run has -----------------------------------------------------------------------------
+// --- inputs and results of a run ----------------------------------------------------------------
 
 bool leftStrips(const RunSummary& summary) {
     return std::ranges::any_of(summary.requirements, [](const RequirementSummary& requirement) {

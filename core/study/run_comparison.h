@@ -4,8 +4,8 @@
 #include "core/issue.h"
 #include "core/project/member.h"
 #include "core/project/project.h"
-#include "core/quality/light.h"
 #include "core/quality/run_summary.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/feed_series.h"
 
 #include <cstddef>
@@ -86,7 +86,7 @@ struct RunValue {
 struct ComparedRow {
     std::string path;
     bool isResult = false;
-    std::vector<std::optional<RunValue>> runs; ///< by run; empty: the run has no such value
+    std::vector<std::optional<RunValue>> runs; ///< by run; empty: the run does not have this value
 };
 
 /// Digits to which a result is stated: decimals, or significant digits where decimals are below 0.

@@ -6,9 +6,9 @@
 #include "core/grace_stop.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/quality/light.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/verdict.h"
 #include "core/search/binding.h"
 #include "core/search/judge.h"
 #include "core/search/refine.h"
@@ -398,7 +398,7 @@ private:
             Project project = m_now.searched;
             project.optimisation->stages = {each};
             if (m_stop.stop_requested() || Variants(project, m_stop).fault() != GridFault::none) {
-                continue; // otherwise the stock cannot be divided into so many stages
+                continue; // otherwise the stock cannot be divided into this many stages
             }
             SearchOptions options = optionsFor(stages);
             if (options.method == SearchMethod::full) {

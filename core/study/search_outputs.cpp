@@ -61,7 +61,7 @@ constexpr Output<Found> searchRows[] = {
          return f.answer() ? std::optional(inMinutes(f.answer()->time_s)) : std::nullopt;
      }},
     {{.key = "least_relative_margin",
-      .label = SPARKOUT_NOOP("Output", "Minimum margin of all requirements, of its limit"),
+      .label = SPARKOUT_NOOP("Output", "Minimum margin of all requirements, relative to its limit"),
       .shownUnit = "%",
       .shownFactor = 100},
      [](const Found& f) {
@@ -121,7 +121,7 @@ constexpr Output<Found> searchRows[] = {
      nullptr,
      isRobust},
     {{.key = "nominal_time_min",
-      .label = SPARKOUT_NOOP("Output", "Time of the quickest for the part alone"),
+      .label = SPARKOUT_NOOP("Output", "Time of the quickest cycle for the part alone"),
       .unit = "min",
       .sparse = true},
      [](const Found& f) {
@@ -251,7 +251,7 @@ ordered_json givenJson(const SearchOutcome& outcome) {
 
 ordered_json freshPhasesJson(const SearchOutcome& outcome) {
     const RobustSummary& robust = *outcome.robust;
-    const int phases = robust.freshPhases; // 0: no tried answer
+    const int phases = robust.freshPhases; // 0: no answer was tried
     const int candidate = outcome.refined() ? outcome.refined()->candidate : robust.candidate;
     return {{"tried", phases},
             {"failed", 0},

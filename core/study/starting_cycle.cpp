@@ -364,8 +364,8 @@ Trial Rule::plunge() const {
     const std::size_t roughness = roughnessClass(m_project);
     const Settings feeds = plungeFeeds(m_project);
 
-    const double removal = (hard ? starting::hardRemoval : starting::softRemoval)
-                           * (bore ? starting::boreShare.value : 1);
+    const double removal =
+        (hard ? starting::hardRemoval : starting::softRemoval) * (bore ? starting::boreShare : 1);
     const double table =
         removal * units::secondsPerMinute / (std::numbers::pi * part.diameter_mm) / n;
     BoundDepth depth{table};
@@ -437,15 +437,15 @@ Trial Rule::traverse(double axialShare) const {
     const double roughWidth = cutWidth(*rough.axial_feed_mm_min);
     const double finishWidth = cutWidth(*finish.axial_feed_mm_min);
 
-    const double table = (hard ? starting::hardInfeed : starting::softInfeed)
-                         * (bore ? starting::boreShare.value : 1);
+    const double table =
+        (hard ? starting::hardInfeed : starting::softInfeed) * (bore ? starting::boreShare : 1);
     BoundDepth depth{table};
     constexpr int passes = 2; // of a double stroke
     limitRough(depth, roughWidth, passes);
     rough.radial_feed_mm = depth.feedIn(feeds, 1);
     const double infeed =
         feeds.at(finishBelowBurn(std::min(
-                     {starting::strokeFinish * T, starting::greatestStrokeFinish.value,
+                     {starting::strokeFinish * T, starting::greatestStrokeFinish,
                       std::max(starting::strokeFinishOfRough * depth.depth_mm, feeds.low)})),
                  Rounding::down);
     finish.radial_feed_mm = infeed;
@@ -571,7 +571,7 @@ double freeOverrun_mm(double width_mm, double length_mm, const StartingEnds& end
     const double usual = isShort ? starting::shortOverrun : starting::overrun;
     const bool isWithoutZone =
         length_mm > width_mm && length_mm <= (2 - usual * ends.freeCount()) * width_mm;
-    const double share = isWithoutZone ? starting::longestOverrun.value : usual;
+    const double share = isWithoutZone ? starting::longestOverrun : usual;
     return std::round(share * width_mm * perMm) / perMm;
 }
 

@@ -31,7 +31,7 @@ struct StartingDrawing {
 };
 
 /// The drawing's size: diameter, deviations, and for capital letters a bore. Empty if the standard
-/// has no such field.
+/// does not have this field.
 [[nodiscard]] std::optional<StartingDrawing> drawingOf(const SizeDesignation& designation);
 
 /// Names of the shipped catalogue, or parts of them; empty: usual ones.

@@ -89,9 +89,9 @@ using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 /// Returns the number of parts needed for Sobol indices.
 [[nodiscard]] std::int64_t partsOfIndices(const Project& project, int points);
 
-/// Judges an outcome for every stock within one infeed, which is decided here, for a batch of the
-/// same inputs and by measured parts that a batch predicts; both batches may be null. Used by
-/// reports, which wait for the decision.
+/// Judges an outcome for every stock within one infeed, for a batch of the same inputs, and by
+/// measured parts compared with a predicting batch; both batches may be null. Decides the stocks
+/// itself, since reports wait for the decision.
 [[nodiscard]] Judgement judgementOf(const Outcome& outcome, const BatchOutcome* batch = nullptr,
                                     const BatchOutcome* predicting = nullptr);
 

@@ -11,8 +11,8 @@
 
 namespace sparkout {
 
-// Loops over the points of a section, for the sources that are compiled with the options of inner
-// loops alone.
+// Loops over the points of a section, only for the sources that are compiled with the options of
+// inner loops.
 
 struct ValueRange {
     double low = 0, high = 0;

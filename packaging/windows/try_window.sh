@@ -79,7 +79,7 @@ gallery() { # every example, and every view of one in both languages and of anot
     for file in "${examples[@]}"; do
         picture "example-$(basename "$file" .sparkout)" --lang ru "$file" || return 1
     done
-    views=$(window --picture none.png --view none "${examples[0]}" 2>&1 | tr -d '\r' | sed -nE 's/.*there are: //p')
+    views=$(window --picture none.png --view none "${examples[0]}" 2>&1 | tr -d '\r' | sed -nE 's/.*known: //p')
     [[ -n $views ]] || return 1
     file=$root/resources/examples/shaft-30h6-factory.sparkout
     for view in ${views//,/}; do

@@ -132,7 +132,7 @@ private slots:
         const std::string before = contentOf(path);
         const Outcome again = run(book);
         QCOMPARE(again.status, 1);
-        QVERIFY2(has(again.err, "there already; --force replaces it"), again.err.c_str());
+        QVERIFY2(has(again.err, "exists; --force replaces it"), again.err.c_str());
         QCOMPARE(contentOf(path), before);
         save("Журнал.xlsx", "old");
         QCOMPARE(run(book + QStringList{"--force"}).status, 0);

@@ -319,7 +319,7 @@ private slots:
         const Outcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY2(has(outcome.out,
-                     "told only as a product: compliance, flow_stress; record the wheel's "
+                     "determined only as a product: compliance, flow_stress; record the wheel's "
                      "power"),
                  outcome.out.c_str());
         QCOMPARE(run(command + QStringList{"--check"}).status, 4);

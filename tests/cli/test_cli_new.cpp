@@ -30,7 +30,7 @@ private slots:
         const Outcome outcome = run({"new", "35k6", "--length", "28", "--stock", "0.15", "--ra",
                                      "0.8", "--machine", "3М153", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY(has(outcome.out, "rough depth bound by"));
+        QVERIFY(has(outcome.out, "rough depth limited by"));
         QVERIFY(has(outcome.out, "fit for every stock of "));
 
         auto drawing = *drawingOf(*parseSizeDesignation("35k6"));
@@ -51,7 +51,7 @@ private slots:
         const Outcome outcome =
             run({"new", "120e9", "--length", "400", "--stock", "0.2", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
-        QVERIFY(has(outcome.out, "rough depth bound by the depth of the burnt layer: "));
+        QVERIFY(has(outcome.out, "rough depth limited by the depth of the burnt layer: "));
         QVERIFY(has(outcome.out, " µm instead of the usual 15.0 µm\n"));
         QVERIFY(has(outcome.out, "machining time"));
     }
@@ -133,7 +133,7 @@ private slots:
                QString("≥ 90 mm (--length)"));
         addRow("large part", QStringList{"240h6"} + size,
                QString("240h6: 240 mm does not fit the machine; allowed: ≤ 200 mm (--machine)"),
-               QString("--machine: \"3М151\" does not take this part; machines of the catalogue "
+               QString("--machine: \"3М151\" does not accept this part; machines of the catalogue "
                        "that do: \"3У131\", \"3У132\", \"3М131\", \"3М132\", \"3М174\"\n"));
         addRow("long part", QStringList{"40h6", "--length", "800", "--stock", "0.15"},
                QString("--length: 800 mm does not fit the machine; allowed: ≤ 700 mm (--machine)"),

@@ -274,7 +274,7 @@ private slots:
         row("sparkout-cli", {"sweep", "a", "--json", "--csv"}, "only one of --json and --csv");
         row("sparkout-cli", {"measured", "a", "--indicator", "part"},
             "--indicator needs --stiffness-sheet or --stiffness TABLE.csv");
-        row("sparkout-cli", {"--version", "a"}, "nothing stands beside --version: a");
+        row("sparkout-cli", {"--version", "a"}, "no operand is allowed with --version: a");
         row("sparkout", {"--picture", "a", "--report", "card", "-o", "b", "c"},
             "only one of --picture, --report and --export");
         row("sparkout", {"--report", "card", "a"}, "--report needs -o OUT or -d DIR");

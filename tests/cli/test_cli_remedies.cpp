@@ -93,7 +93,8 @@ private slots:
 
     void aCycleThatHoldsGetsNone() {
         const QString file = examplePath("shaft-30h6-factory");
-        QCOMPARE(run({"remedies", file}).out, std::string("all requirements are met, with room\n"));
+        QCOMPARE(run({"remedies", file}).out,
+                 std::string("all requirements are met with a sufficient margin\n"));
         const json answer = json::parse(run({"remedies", file, "--json"}).out);
         QVERIFY(answer.at("goal") == "none" && answer.at("remedies").empty());
     }
@@ -137,7 +138,7 @@ private slots:
         QCOMPARE(outcome.status, 130);
         QVERIFY2(has(outcome.out, "  Stopped after "), outcome.out.c_str());
         QVERIFY2(!has(outcome.out, "no single setting"), outcome.out.c_str());
-        QVERIFY(has(run({"--help"}).out, "ended by Ctrl+C or SIGTERM before its end"));
+        QVERIFY(has(run({"--help"}).out, "ended by Ctrl+C or SIGTERM"));
     }
 
     void whatCannotBeRunIsRefused() {

@@ -162,7 +162,7 @@ private slots:
             QVERIFY2(has(said, "damaged"), said.c_str());
         }
         const std::string foreign = answer("my notes\n");
-        QVERIFY2(has(foreign, "is no progress of a search"), foreign.c_str());
+        QVERIFY2(has(foreign, "is not the progress of a search"), foreign.c_str());
         QByteArray build = good;
         const auto at = build.indexOf("\"engine\":\"") + 10;
         build.replace(at, 4, "0000"); // with a checksum that does not fit any more

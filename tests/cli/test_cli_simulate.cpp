@@ -192,7 +192,7 @@ private slots:
         const std::string out = run({"simulate", save("sharp.sparkout", file.dump())}).out;
         QVERIFY(has(out, "(<)5.600"));
         QVERIFY(has(out, "20…120 J/mm³"));
-        QVERIFY(has(out, "8.000, near a whole number: WAVINESS"));
+        QVERIFY(has(out, "8.000, near a whole number: waviness"));
     }
 
 private:

@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(trials[0].at("expected").size(), std::size_t{2});
         QVERIFY(trials[0].at("radial_feed_mm_min").get<double>() > 0);
         const Outcome text = run({"measured", file, "--trial", "chip_power"});
-        QVERIFY2(has(text.out, "chip_power: cannot be told"), text.text().c_str());
+        QVERIFY2(has(text.out, "chip_power: undetermined"), text.text().c_str());
         QVERIFY(isUsageError(run({"measured", file, "--trial", "gamma"})));
         QCOMPARE(run({"measured", file, "--trial", "alpha,alpha"}).status, 1);
     }

@@ -124,7 +124,7 @@ def choices(prefix, environment):
     bash = (prefix / "share/bash-completion/completions/sparkout").read_text(encoding="utf-8")
     for option, wrong in (("--report", ["-o", "a.pdf", example]), ("--view", ["--picture", "a.png", example])):
         said = ran(str(prefix / "bin/sparkout"), option, "nothing", *wrong, env=environment).stderr
-        there = re.search(r"there are: ([^;\n]*)", said).group(1).split(", ")
+        there = re.search(r"known: ([^;\n]*)", said).group(1).split(", ")
         stated = re.search(rf'{option}\) kind="choice" words="(.*?)"', bash).group(1).split()
         assert there == stated, (option, there, stated)
 

@@ -90,6 +90,8 @@ def read_list():
         elif mark == "!":
             others.append(rest.split())
         elif mark == "=":
+            if any(mutant.file == rest for mutant in mutants):
+                fail(f"mutants.txt:{at}: {rest} has a heading above")
             file, current = rest, None
         elif mark == "@" and current is None:
             tests = rest.split()

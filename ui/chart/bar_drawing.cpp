@@ -639,7 +639,7 @@ void BarDrawing::paintNumbers(QPainter& painter, const Layout& layout) {
             continue;
         }
         const QString text = m_chart.valueText(part.series, part.category);
-        if (isStack && text == totalText(part.category)) { // the whole stack: said beside it
+        if (isStack && text == totalText(part.category)) { // the whole stack: stated beside it
             continue;
         }
         const QSizeF size(layout.metrics.horizontalAdvance(text), layout.metrics.height());
@@ -743,7 +743,7 @@ void BarDrawing::paintCategories(QPainter& painter, const Layout& layout) {
         const QStringList lines = linesOf(m_drawn.categories[static_cast<qsizetype>(c)]);
         if (m_drawn.isLying) {
             if (middle - line / 2 < last - 1) {
-                continue; // rows too low for a name each
+                continue; // the rows are too low for separate names
             }
             const QRectF box(0, middle - line / 2, area.left() - textGap, line);
             const QString text = metrics.elidedText(lines.join(u' '), Qt::ElideRight, box.width());

@@ -70,7 +70,7 @@ PlotTools& BarPlot::addTools(PlotSubject subject, Settings* settings) {
     return tools;
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed chart ----------------------------------------------------------------------------
 
 void BarPlot::showChoice() {
     std::vector<bool> shown;

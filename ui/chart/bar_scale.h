@@ -25,7 +25,7 @@ struct BarScales {
     BarScale first, second;
 };
 
-/// For all drawn data, with about this number of steps; the axis includes 0 even for boxes.
+/// The axis for all drawn data, with about this number of steps; it includes 0 even for boxes.
 [[nodiscard]] BarScales scalesOf(const BarChart& chart, int steps);
 
 struct ChartLook {
@@ -49,7 +49,8 @@ struct ChartArea {
     [[nodiscard]] double at(const BarChart& chart, const BarScale& scale, double value) const;
     [[nodiscard]] double middle(const BarChart& chart, std::size_t category) const; ///< across
     [[nodiscard]] double room(const BarChart& chart) const; ///< width of a category
-    /// From a value to another, in a category, across by its index among its bars.
+    /// The rectangle between two values of a category; its place across follows from its index
+    /// among the bars.
     [[nodiscard]] QRectF bar(const BarChart& chart, const BarScale& scale, std::size_t category,
                              double from, double to, double middle, double width) const;
 };

@@ -660,7 +660,7 @@ void ChartPlot::showChoice() {
     drawCharts();
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed charts ---------------------------------------------------------------------------
 
 LegendEntries ChartPlot::legendEntries() const {
     LegendEntries entries;

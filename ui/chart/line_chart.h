@@ -22,7 +22,7 @@ class QCPAxisTicker;
 
 namespace sparkout {
 
-/// A pen of a chart, which takes its colour from what it draws.
+/// A pen of a chart, with the colour of its quantity.
 inline QPen linePen(double width, Qt::PenStyle style = Qt::SolidLine) {
     QPen pen(style);
     pen.setWidthF(width);

@@ -563,7 +563,7 @@ void CursorStrip::retranslate() {
     m_table->setAccessibleName(tr("Values at the cursors and their differences"));
     m_table->retranslate();
     m_cursors.retranslate();
-    m_difference->setAccessibleName(tr("Difference of the places"));
+    m_difference->setAccessibleName(tr("Distance of the cursors"));
     for (std::size_t cursor = 0; cursor < PlotCursors::count; ++cursor) {
         m_fields[cursor]->setAccessibleName(
             tr("Place of cursor %1").arg(PlotCursors::letter(cursor)));

@@ -67,7 +67,7 @@ PlotNavigation::PlotNavigation(QCustomPlot& plot, Hooks hooks, QObject* parent)
     m_history.restart(state());
 }
 
-// --- what is meant ------------------------------------------------------------------------------
+// --- gestures -----------------------------------------------------------------------------------
 
 QList<QCPAxis*> PlotNavigation::axesOf(QCPAxisRect& rect) const {
     return m_hooks.axes ? m_hooks.axes(rect)

@@ -521,7 +521,7 @@ void PlotTools::retranslate() {
         if (button) {
             const QString plot = m_subject.name ? m_subject.name() : QString();
             button->setAccessibleName(plot.isEmpty() ? tr("Export") : tr("Export: %1").arg(plot));
-            button->setToolTip(plot.isEmpty() ? tr("Copy or save what the plot shows")
+            button->setToolTip(plot.isEmpty() ? tr("Copy or save the contents of the plot")
                                               : tr("Copy or save: %1").arg(plot));
         }
     }

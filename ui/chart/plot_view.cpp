@@ -340,7 +340,7 @@ PlotCursors* PlotView::cursors() const {
     return nullptr;
 }
 
-// --- what is drawn ------------------------------------------------------------------------------
+// --- displayed outcome --------------------------------------------------------------------------
 
 bool PlotView::refused() const {
     return latest() && !latest()->ran();

@@ -50,12 +50,12 @@ public:
     RunBar(const QString& name, QWidget* parent, Progress text = nullptr);
 
     /// Call once: sets the widgets before and behind the text. The text takes a line of its own
-    /// unless it has room for so many letters.
+    /// unless it has room for this many letters.
     void layOut(std::initializer_list<QWidget*> before, std::initializer_list<QWidget*> behind,
                 int letters = 0);
     /// A count of finished parts with the remaining time, if known.
     [[nodiscard]] static QString withTimeLeft(const QString& count, double left_s);
-    /// Whether so many runs with so many radii each take at most about two seconds of one
+    /// Whether this many runs with this many radii each take at most about two seconds of one
     /// processor, so that they may start automatically.
     [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
     void takeTurns() { m_turns = true; } ///< shows one of the two buttons at a time

@@ -121,7 +121,7 @@ Tone limitOfDepth(std::size_t index) {
 
 Tone stepOfStroke(std::size_t index, const QPalette& palette) {
     const Tone own = steps.at(index);
-    return own == Tone::blue && isDark(palette) ? Tone::vermilion : own; // where blue is the sky
+    return own == Tone::blue && isDark(palette) ? Tone::vermilion : own; // where blue means the sky
 }
 
 namespace {

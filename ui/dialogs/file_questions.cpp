@@ -272,8 +272,7 @@ UnsavedAnswer askUnsaved(QWidget* window, const Document& document, const QStrin
 bool mayLoseRefused(QWidget* window, const QStringList& refused) {
     Question question(
         window, QMessageBox::Question, Words::tr("Invalid entries"),
-        Words::tr(
-            "Everything else is saved, but the invalid entries are not. Continue without them?")
+        Words::tr("Everything but the invalid entries is saved. Continue without them?")
             + listed(Words::tr("Refused:"), refused));
     question.add(Words::tr("&Continue"), QMessageBox::DestructiveRole, "discard");
     question.addCancel(Words::tr("&Back to the fields"));

@@ -79,7 +79,7 @@ void SavedFile::addNotice(NoticeBar& bar, const QString& path) {
               {[] { return tr("Show in folder"); }, to(file.absolutePath())}}});
 }
 
-/// Without a desktop there is no such program: shows the path of the file.
+/// Without a desktop the program does not exist: shows the path of the file.
 void SavedFile::open(NoticeBar& bar, const QString& path) {
     if (QFileInfo::exists(path) && QDesktopServices::openUrl(QUrl::fromLocalFile(path))) {
         return;

@@ -59,9 +59,9 @@ QString tableFormatText(TableFormat format) {
 
 QString tableFormatHint(TableFormat format) {
     return format == TableFormat::xlsx
-               ? TableFile::tr("Numbers with all their digits, units in a row of their own")
-               : TableFile::tr("Headers in the language of the window; Excel opens the file as it "
-                               "is");
+               ? TableFile::tr("Numbers with all their digits, units in a separate row")
+               : TableFile::tr(
+                   "Headers in the language of the window; Excel opens the file directly");
 }
 
 QString tableFormatFilter(TableFormat format) {

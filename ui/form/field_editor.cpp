@@ -368,13 +368,13 @@ QString NumbersEditor::fault(const Levels& levels) const {
     const auto outside =
         std::ranges::find_if(values, [&spec](double value) { return !spec.hard.contains(value); });
     if (outside != values.end()) {
-        return tr("%1: allowed is %2")
+        return tr("%1; allowed: %2")
             .arg(printedNumber(spec.scale.shown(*outside)),
                  rangeShown(spec.scale.shown(spec.hard), spec.unit));
     }
     return fits([this, &levels](void* to) { put(levels, to); })
                ? QString()
-               : tr("the other inputs do not go with these values");
+               : tr("these values contradict the other inputs");
 }
 
 NumbersEditor::CellsText NumbersEditor::textOf(const PastedCells& cells) const {

@@ -287,7 +287,7 @@ QWidget* StructForm::adopt(const Row& row, std::unique_ptr<FieldEditor> editor) 
         return nullptr;
     }
     FieldEditor* const adopted = editor.release();
-    adopted->setParent(m_body); // it goes before its widget, which then tells it nothing
+    adopted->setParent(m_body); // it is destroyed before its widget, which then has no effect on it
     m_editors.push_back(adopted);
     adopted->retranslate();
     const Field hinted = described(row);

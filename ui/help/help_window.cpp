@@ -129,15 +129,12 @@ QString HelpBrowser::styleSheetNow() const {
     const QString link = palette().color(QPalette::Link).name();
     const QString quiet = palette().color(QPalette::PlaceholderText).name();
     const QString ground = palette().color(QPalette::AlternateBase).name();
-    return QStringLiteral("a { color: %1; } "
-                          "h1 { font-size: x-large; margin-bottom: 8px; } "
-                          "h2 { font-size: large; margin-top: 16px; margin-bottom: 4px; } "
-                          "h3 { font-size: medium; margin-top: 12px; margin-bottom: 2px; } "
-                          "p { margin-top: 4px; margin-bottom: 4px; } "
-                          "p.formula { margin-left: 24px; background-color: %3; } "
-                          "p.key { color: %2; font-size: small; } "
-                          "td, th { padding: 2px 10px 2px 0px; } "
-                          "pre { background-color: %3; } ")
+    return QStringLiteral(
+               "a { color: %1; } h1 { font-size: x-large; margin-bottom: 8px; } h2 { font-size: "
+               "large; margin-top: 16px; margin-bottom: 4px; } h3 { font-size: medium; margin-top: "
+               "12px; margin-bottom: 2px; } p { margin-top: 4px; margin-bottom: 4px; } p.formula { "
+               "margin-left: 24px; background-color: %3; } p.key { color: %2; font-size: small; } "
+               "td, th { padding: 2px 10px 2px 0px; } pre { background-color: %3; } ")
         .arg(link, quiet, ground);
 }
 

@@ -347,7 +347,7 @@ void CatalogueDialog::showPreview() {
                    : tr("%n inputs change (in bold); the others stay as they are.", nullptr, count);
     QStringList said{note.isEmpty() ? QString() : note + u'.', changes};
     if (complianceIsGiven() && !m_stiffness->isTaken()) {
-        said += tr("The compliance is given on this page, so the stiffness is not read.");
+        said += tr("The compliance is given on this page, so the stiffness is not used.");
     }
     m_note->setText(joined(said, QStringLiteral(" ")));
     const Issues errors = newErrors(m_project, taken());
@@ -524,8 +524,9 @@ void CatalogueBar::keep() {
         tr("Save as mine"), tr("&Keep"), nameInProject(),
         [this](const QString& name) -> NameDialog::Answer {
             if (!store().fault().isEmpty()) {
-                return {tr("Your own catalogue cannot be read. “From catalogue…” says why."),
-                        false};
+                return {
+                    tr("Your own catalogue cannot be read. “From catalogue…” shows the reason."),
+                    false};
             }
             if (store().hasOwn(name)) {
                 return {tr("Your entry of this name will be replaced.")};
@@ -548,7 +549,7 @@ void CatalogueBar::keep() {
 
 void CatalogueBar::retranslate() {
     m_choose->setText(tr("From catalogue…"));
-    m_choose->setToolTip(tr("Take values from the catalogue; what changes is shown first"));
+    m_choose->setToolTip(tr("Apply values from the catalogue; the changes are shown first"));
     m_keep->setText(tr("Save as mine…"));
     m_keep->setToolTip(tr("Keep the values of this page as an entry of your own catalogue"));
     for (QPushButton* button : {m_choose, m_keep}) {

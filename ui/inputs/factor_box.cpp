@@ -385,7 +385,7 @@ void FactorBox::retranslate() {
     m_read->setText(tr("Read from CSV…"));
     m_read->setAccessibleName(tr("%1: read from a CSV file").arg(label));
     m_read->setToolTip(
-        tr("A table whose column “%1” holds a value a line").arg(QString::fromUtf8(field().key)));
+        tr("A table whose column “%1” has one value per line").arg(QString::fromUtf8(field().key)));
     numbers().retranslate();
     if (law()) {
         m_measured->setText(measuredText(*law()));

@@ -381,13 +381,12 @@ void FormPage::showAllButton() {
     const auto shown = std::ranges::count_if(
         m_rows, [](const FormRow* row) { return row->isOnDemand() && row->isShown(); });
     const QString all = tr("All inputs (%1 more)").arg(onDemand - shown);
-    m_all->setText(m_rank.showsAll ? tr("Usual inputs alone")
+    m_all->setText(m_rank.showsAll ? tr("Usual inputs only")
                    : shown > 0
                        ? tr("%1 · %n other(s) shown", nullptr, static_cast<int>(shown)).arg(all)
                        : all);
-    m_all->setToolTip(
-        tr("Besides the usual inputs, those are shown that are calibrated, refused or warned "
-           "about, or that differ from both the default and the catalogue"));
+    m_all->setToolTip(tr("Besides the usual inputs, calibrated, refused and doubtful ones are "
+                         "shown, and those that differ from both the default and the catalogue"));
     m_all->setAccessibleName(m_all->text());
     m_all->setVisible(m_access->isFree() && (m_rank.showsAll || onDemand > shown));
 }

@@ -64,7 +64,7 @@ void ListPaste::paste(PastedCells cells, const QModelIndex& at) {
         cells.rows.erase(cells.rows.begin());
     }
     if (cells.rows.empty()) {
-        m_faults += tr("there are no rows below the heads");
+        m_faults += tr("there are no rows below the headings");
     }
     if (m_faults.isEmpty()) {
         makeRoom(cells.rows.size(), columns, withHeads);

@@ -382,7 +382,7 @@ bool ListTable::takeKey(const QKeyEvent& key) {
                                && (key.key() == Qt::Key_Delete || key.key() == Qt::Key_Up
                                    || key.key() == Qt::Key_Down));
     if (movesRows && !mayHaveOtherRows()) {
-        return true; // the keys are the table's all the same
+        return true; // the keys still belong to the table
     }
     if (key.key() == Qt::Key_Escape && !m_notPasted.isEmpty()) {
         forgetPaste();

@@ -105,9 +105,8 @@ void MessagesPanel::addStockFit() {
     item->setFont(underlined);
     item->setForeground(palette().link());
     item->setData(fitRole, true);
-    item->setToolTip(
-        tr("The first stage takes what the later ones leave; where they leave nothing, "
-           "all keep their share"));
+    item->setToolTip(tr("The first stage takes the stock that the later ones leave; if they leave "
+                        "none, all keep their share"));
 }
 
 void MessagesPanel::addLine(Mark mark, const std::string& path, const QString& sentence) {

@@ -96,10 +96,9 @@ const Offer searchOffer{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
     QT_TRANSLATE_NOOP(
         "sparkout::OfferHelper",
-        "Levels of each feed about the current cycle in steps of the machine, stocks, "
-        "spark-out, and the usual minimum overlap and steps of a stage where none "
-        "are given; the answer is good for the batch, without one for every "
-        "stock")};
+        "Levels of each feed about the current cycle in steps of the machine, stocks, spark-out, "
+        "and the usual minimum overlap and steps of a stage where none are given; the answer is "
+        "fit for the batch, or without one for every stock")};
 
 std::optional<double> estimatedMass_kg(const Project& project) {
     return conditions::external(project, &*project.part) ? steelMass_kg(project.part->shaft)
@@ -116,10 +115,10 @@ const Offer estimatedMass{
     },
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Mass from the steps of the shaft")},
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "The mass by the steps of the shaft"),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An "
-                      "estimate."),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take the estimate"),
+    QT_TRANSLATE_NOOP(
+        "sparkout::OfferHelper",
+        "By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An estimate."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Apply the estimate"),
     QT_TRANSLATE_NOOP(
         "sparkout::OfferHelper",
         "Without chamfers, keyways and bores; the mass in the drawing takes precedence"),
@@ -144,10 +143,10 @@ const Offer formOfMachine{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "Measured by zone or section, mean in µm: roundness and radial runout %1. "
                       "The number of lobes was not measured."),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take it as the machine's form"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Apply it as the machine's form"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "In a cycle with spark-out, the form left by the process itself is small "
-                      "beside it; the number of lobes must be entered"),
+                      "In a cycle with spark-out, the form left by the process itself is small in "
+                      "comparison; the number of lobes must be entered"),
     [](const Project& project) {
         const MachineForm form = measuredForm(project).value_or(MachineForm());
         return QStringLiteral("%1 / %2").arg(measuredText(form.roundness_um),
@@ -231,7 +230,7 @@ void MarkingHelper::fill() {
 void MarkingHelper::retranslate() {
     m_meaning->setAccessibleName(tr("Meaning of the marking"));
     sayWhatIsDone(*m_fill, tr("Fill in from the marking"),
-                  tr("Take grain, grain share and sizes as far as the marking gives them"));
+                  tr("Sets grain, grain share and sizes as far as the marking states them"));
     showMarking();
 }
 
@@ -390,9 +389,10 @@ KeywayHelper::Typed KeywayHelper::typed() const {
                         .arg(printedNumber(keyway->width_mm), printedNumber(part.diameter_mm),
                              printedNumber(gap.width_deg), printedNumber(gap.from_deg));
     if (keyway->length_mm && *keyway->length_mm < part.length_mm) {
-        words += u' '
-                 + tr("It is %1 mm long; the model has it along all %2 mm that are ground.")
-                       .arg(printedNumber(*keyway->length_mm), printedNumber(part.length_mm));
+        words +=
+            u' '
+            + tr("It is %1 mm long; in the model it extends over the whole ground length of %2 mm.")
+                  .arg(printedNumber(*keyway->length_mm), printedNumber(part.length_mm));
     }
     return {gap, words};
 }

@@ -246,9 +246,8 @@ QVariant StageModel::data(const QModelIndex& index, int role) const {
                    ? text
                          + QStringLiteral("<p>= %1</p><p>%2</p>")
                                .arg(forms.join(QStringLiteral(" = ")),
-                                    forms.size() > 1
-                                        ? tr("It may be typed as 12 mm/rev or 0.3B, too.")
-                                        : tr("It may be typed as 0.005 mm/rev, too."))
+                                    forms.size() > 1 ? tr("12 mm/rev or 0.3B may also be typed.")
+                                                     : tr("0.005 mm/rev may also be typed."))
                    : text + QStringLiteral(", ") + forms.join(QStringLiteral(", "));
     }
     if (role != shareRole || !known(index.row())) {

@@ -91,7 +91,7 @@ void StageTable::retranslate() {
     ListTable::retranslate();
     m_continuous->setText(tr("Continuous infeed"));
     m_continuous->setToolTip(QStringLiteral("<p>%1</p>")
-                                 .arg(tr("The wheel is fed all the time while the table travels; "
+                                 .arg(tr("The wheel is fed continuously while the table travels; "
                                          "each stage has a column for it.")));
     m_sparkOut->setText(tr("+ Spark-out"));
     m_sparkOut->setToolTip(tr("Adds a spark-out after the last feed; the stocks stay as they are"));
@@ -99,9 +99,8 @@ void StageTable::retranslate() {
     m_start->setText(tr("Starting cycle"));
     m_start->setToolTip(
         QStringLiteral("<p>%1</p>")
-            .arg(tr(
-                "Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would begin "
-                "with for this part, wheel and machine; an estimate")));
+            .arg(tr("Work speed, feeds, stocks, spark-out, overruns and dwells as a shop would "
+                    "first set them for this part, wheel and machine; an estimate")));
     m_start->setAccessibleDescription(m_start->toolTip());
     m_follows->setAccessibleName(tr("Whether the cycle follows the drawing"));
     showFollows();
@@ -120,7 +119,7 @@ void StageTable::showFollows() {
                           roughDepthText(), wheelText()},
                          QStringLiteral(" "))
         : m_hasFollowed && document().newFaults().empty()
-            ? tr("Edited: the cycle no longer follows the drawing. “%1” makes it anew.")
+            ? tr("Edited: the cycle no longer follows the drawing. “%1” creates a new one.")
                   .arg(m_start->text())
             : QString());
     m_follows->setVisible(!m_follows->text().isEmpty());
@@ -142,10 +141,9 @@ QString StageTable::roughDepthText() const {
     }
     const QString bound =
         QCoreApplication::translate("StartingCycle", roughBoundText(start->bound));
-    return (start->isExceeded
-                ? tr("Its rough depth of cut, %1, is the machine's minimum and more than %2 "
-                     "allows; usual: %3.")
-                : tr("Its rough depth of cut, %1, is limited by %2; usual: %3."))
+    return (start->isExceeded ? tr("Its rough depth of cut, %1, is the machine's minimum and more "
+                                   "than %2 allows; usual: %3.")
+                              : tr("Its rough depth of cut, %1, is limited by %2; usual: %3."))
         .arg(depth, bound, usual);
 }
 

@@ -89,12 +89,12 @@ StiffnessOffer::StiffnessOffer(Project project, QWidget* parent)
     m_take->setObjectName(QStringLiteral("takeStiffness"));
     m_take->setText(isGiven() ? tr("&Compute the compliance from its stiffness")
                               : tr("Use its &stiffness"));
-    m_take->setToolTip(
-        isGiven() ? tr("The compliance is given on the page Machine, so a stiffness is not used "
-                       "there. This removes the given compliance; γ then follows from the "
-                       "stiffness of the machine and from the shaft.")
-                  : tr("Without it the stiffness of the project stays as it is; the other values "
-                       "of the machine are taken."));
+    m_take->setToolTip(isGiven()
+                           ? tr("The compliance is given on the page Machine, so a stiffness is "
+                                "not used there. This removes the given compliance; γ then follows "
+                                "from the stiffness of the machine and from the shaft.")
+                           : tr("Without it the stiffness of the project stays as it is; the other "
+                                "values of the machine are applied."));
     m_effect->setObjectName(QStringLiteral("stiffnessEffect"));
     m_effect->setTextFormat(Qt::PlainText);
     m_effect->setWordWrap(true);
@@ -159,13 +159,12 @@ void StiffnessOffer::showEffect(const OutcomePtr& before, const OutcomePtr& afte
             tr("With it the cycle cannot be run: %1").arg(Names::refusal(after->issues, 1)));
         return;
     }
-    m_effect->setText(
-        tr("Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; requirements "
-           "that fail %4.")
-            .arg(beforeAndAfter(before, after, gammasShown),
-                 beforeAndAfter(before, after, timeShown),
-                 beforeAndAfter(before, after, deviationsShown),
-                 beforeAndAfter(before, after, failingShown)));
+    m_effect->setText(tr("Its effect: γ %1 nm/N; machining time %2; diameter deviations %3 µm; "
+                         "requirements not met %4.")
+                          .arg(beforeAndAfter(before, after, gammasShown),
+                               beforeAndAfter(before, after, timeShown),
+                               beforeAndAfter(before, after, deviationsShown),
+                               beforeAndAfter(before, after, failingShown)));
 }
 
 Project StiffnessOffer::taken(Project with) const {

@@ -11,7 +11,7 @@ class QPushButton;
 
 namespace sparkout {
 
-/// Asks for a name, and says of each what it leads to or why it is refused.
+/// Asks for a name, and states for each its effect or why it is refused.
 class NameDialog : public QDialog {
     Q_OBJECT
 

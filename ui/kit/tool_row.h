@@ -18,7 +18,7 @@ public:
     ~ToolRow() override;
 
     void addWidget(QWidget* widget, int stretch = 0); ///< shares the surplus width of a line
-    /// Adds a text that wraps: it takes a line of its own unless it has room for so many letters
+    /// Adds a text that wraps: it takes a line of its own unless it has room for this many letters
     /// beside the others.
     void addText(QWidget* widget, int letters, int stretch);
     void addStretch(int stretch = 1);

@@ -8,6 +8,7 @@
 #include "ui/kit/theme_icon.h"
 #include "ui/lesson/curve_answer.h"
 #include "ui/lesson/lesson_text.h"
+#include "ui/text/goal_text.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -123,7 +124,7 @@ void OrderAnswer::fill(const std::vector<std::size_t>& order) {
     const QSignalBlocker blocker(m_list->model());
     m_list->clear();
     for (const std::size_t place : order) {
-        auto* item = new QListWidgetItem(LessonText::place(m_project, place), m_list);
+        auto* item = new QListWidgetItem(GoalText::place(m_project, place), m_list);
         item->setData(orderedPlaceRole, static_cast<int>(place));
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
     }
@@ -203,7 +204,7 @@ void OrderAnswer::showResult(const GoalResult& result) {
     m_found = result.order;
     m_result->clear();
     for (const std::size_t place : m_found) {
-        auto* item = new QListWidgetItem(LessonText::place(m_project, place), m_result);
+        auto* item = new QListWidgetItem(GoalText::place(m_project, place), m_result);
         item->setFlags(Qt::ItemIsEnabled);
     }
     m_resultLabel->setVisible(!m_found.empty());
@@ -216,7 +217,7 @@ void OrderAnswer::showResult(const GoalResult& result) {
 void OrderAnswer::retranslate() {
     const bool isDone = !m_found.empty();
     m_note->setText(isDone ? tr("Your prediction, the largest first")
-                           : tr("The largest first: drag them, or move them by the buttons."));
+                           : tr("The largest first: drag them, or move them with the buttons."));
     m_list->setAccessibleName(tr("Your prediction, the largest first"));
     m_result->setAccessibleName(tr("Result of the run, the largest first"));
     m_resultLabel->setText(tr("Result of the run, the largest first"));
@@ -232,7 +233,7 @@ void OrderAnswer::retranslate() {
                 list == m_list
                     ? static_cast<std::size_t>(list->item(i)->data(orderedPlaceRole).toInt())
                     : m_found[static_cast<std::size_t>(i)];
-            list->item(i)->setText(LessonText::place(m_project, place));
+            list->item(i)->setText(GoalText::place(m_project, place));
         }
     }
 }
@@ -513,11 +514,11 @@ void NumberAnswer::retranslate() {
     m_label->setText(m_goal.after_run ? tr("Your answer") : tr("Your prediction"));
     m_field->setAccessibleName(
         (m_goal.after_run ? tr("Your answer: %1") : tr("Your prediction: %1"))
-            .arg(LessonText::figure(m_goal.figure, m_project)));
+            .arg(GoalText::quantity(m_goal.figure, m_project)));
     m_field->retranslate();
-    m_unit->setText(LessonText::unit(m_goal.figure));
+    m_unit->setText(GoalText::unit(m_goal.figure));
     m_resultLabel->setText(tr("Result of the run"));
-    m_result->setText(m_value ? LessonText::value(*m_value, m_goal.figure) : QString());
+    m_result->setText(m_value ? GoalText::value(m_goal.figure, *m_value) : QString());
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
-#include "ui/lesson/lesson_text.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/number_text.h"
 
 #include <QGridLayout>
@@ -510,10 +510,9 @@ void CurveAnswer::showResult(const GoalResult& result) {
 }
 
 void CurveAnswer::retranslate() {
-    const QString figure = LessonText::figure(m_goal.figure, m_project);
-    const QString unit = LessonText::unit(m_goal.figure);
-    const QString value = unit.isEmpty() ? figure : tr("%1, %2").arg(figure, unit);
-    const QString along = LessonText::along(m_goal, m_project);
+    const QString unit = GoalText::unit(m_goal.figure);
+    const QString value = GoalText::quantityAndUnit(m_goal.figure, m_project);
+    const QString along = GoalText::along(m_goal, m_project);
     m_note->setText(tr("Click into the plot for each point, or type the values below it."));
     m_note->setVisible(!m_topRow->isHidden());
     m_topLabel->setText(unit.isEmpty() ? tr("The axis goes up to")
@@ -523,7 +522,7 @@ void CurveAnswer::retranslate() {
     m_head->setText(tr("%1 and value").arg(along));
     QStringList places;
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
-        const QString place = LessonText::at(m_goal, m_goal.at[i], m_project);
+        const QString place = GoalText::alongAt(m_goal, m_goal.at[i], m_project);
         places += place;
         m_places[i]->setText(place);
         m_fields[i]->setAccessibleName(tr("%1 %2: %3").arg(along, place, value));
@@ -533,7 +532,7 @@ void CurveAnswer::retranslate() {
     m_sketch->setCurveNames(tr("prediction"), tr("result"));
     m_sketch->setAccessibleName(tr("Your curve: %1").arg(value));
     m_sketch->setAccessibleDescription(
-        tr("Left and Right choose a place, Up and Down move its point, Del takes it away."));
+        tr("Left and Right choose a place, Up and Down move its point, Del removes it."));
 }
 
 } // namespace sparkout

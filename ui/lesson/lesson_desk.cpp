@@ -228,12 +228,12 @@ std::optional<Work> LessonDesk::makeWork(const Lesson& lesson, int variant, cons
         if (made.fault != LessonFault::none) {
             const QString why =
                 QCoreApplication::translate("Variants", lessonFaultText(made.fault));
-            showFailure(m_window, tr("The lesson cannot be begun"),
+            showFailure(m_window, tr("The lesson cannot be started"),
                         why.left(1).toUpper() + why.mid(1) + u'.');
             return std::nullopt;
         }
         if (made.variants.size() < std::size_t(variant)) {
-            showFailure(m_window, tr("There is no such variant"),
+            showFailure(m_window, tr("This variant does not exist"),
                         tr("The lesson has %1 variants.").arg(made.variants.size()));
             return std::nullopt;
         }

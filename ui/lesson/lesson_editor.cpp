@@ -110,7 +110,7 @@ void LessonEditor::build() {
         [this] { chooseFile(); }));
     files->addWidget(make(
         "editShipped", [] { return tr("&Copy of…"); },
-        [] { return tr("A new laboratory work after one that there is"); },
+        [] { return tr("A new laboratory work based on an existing one"); },
         [this] { chooseShipped(); }));
     files->addWidget(make(
         "editSave", [] { return tr("&Save"); }, [] { return tr("Save the laboratory work"); },
@@ -126,16 +126,16 @@ void LessonEditor::build() {
     files->addWidget(papers);
     files->addSpacing(metrics::wide);
     m_undo = make(
-        "editUndo", [] { return tr("&Undo"); }, [] { return tr("Take the last change back"); },
+        "editUndo", [] { return tr("&Undo"); }, [] { return tr("Undo the last change"); },
         [this] { m_draft.history().undo(); });
     m_redo = make(
-        "editRedo", [] { return tr("&Redo"); }, [] { return tr("Make the change again"); },
+        "editRedo", [] { return tr("&Redo"); }, [] { return tr("Redo the change"); },
         [this] { m_draft.history().redo(); });
     files->addWidget(m_undo);
     files->addWidget(m_redo);
     files->addStretch(1);
     files->addWidget(make(
-        "editTake", [] { return tr("Take the &project"); },
+        "editTake", [] { return tr("Use the &project"); },
         [] { return tr("The project in the window becomes that of the laboratory work"); },
         [this] { takeProject(); }));
     files->addWidget(make(
@@ -144,7 +144,7 @@ void LessonEditor::build() {
         [this] { emit projectWanted(); }));
     files->addWidget(make(
         "editTry", [] { return tr("&Try as a student"); },
-        [] { return tr("Do the laboratory work in the window, from the step in front on"); },
+        [] { return tr("Do the laboratory work in the window, beginning with the current step"); },
         [this] { tryOut(); }));
     const auto ofStep = [&](QPushButton* button, int row, int column) {
         steps->addWidget(button, row, column);
@@ -152,19 +152,19 @@ void LessonEditor::build() {
     };
     steps->addWidget(make(
                          "stepAdd", [] { return tr("A&dd a step"); },
-                         [] { return tr("A step after the one in front"); },
+                         [] { return tr("Adds a step after the current one"); },
                          [this] { addStep(false); }),
                      0, 0);
     ofStep(make(
                "stepCopy", [] { return tr("Dup&licate"); },
-               [] { return tr("The same step once more"); }, [this] { addStep(true); }),
+               [] { return tr("Duplicates the step"); }, [this] { addStep(true); }),
            0, 1);
     ofStep(make(
-               "stepUp", [] { return tr("Earl&ier"); }, [] { return tr("Before the step above"); },
+               "stepUp", [] { return tr("Earl&ier"); }, [] { return tr("Moves the step up"); },
                [this] { moveStep(moveUp); }),
            1, 0);
     ofStep(make(
-               "stepDown", [] { return tr("Lat&er"); }, [] { return tr("After the step below"); },
+               "stepDown", [] { return tr("Lat&er"); }, [] { return tr("Moves the step down"); },
                [this] { moveStep(moveDown); }),
            1, 1);
     ofStep(make(

@@ -127,7 +127,7 @@ void LessonForm::addGoal(QFormLayout& form, const Subject& subject) {
             const Field& field = kinds[static_cast<std::size_t>(index)];
             goal = Goal();
             field.object(&goal, true);
-            if (goal.asked() && figure) { // the same one, in another way
+            if (goal.asked() && figure) { // keeps the figure for the new kind of goal
                 const_cast<Figure&>(*goal.asked()) = *figure;
             }
             addNeeded(*field.nested, field.object(&goal, false));
@@ -224,7 +224,7 @@ void LessonForm::addBeside(QHBoxLayout& line, const Row& row, std::optional<std:
     showBy(row, [label, item](const void* owner) {
         const auto& rules = *static_cast<const VariantRules*>(owner);
         if (!item) {
-            label->setText(tr("Variants in all: %1").arg(printedNumber(variantCount(rules))));
+            label->setText(tr("Total variants: %1").arg(printedNumber(variantCount(rules))));
         } else if (*item < rules.inputs.size()) {
             const VariedInput& input = rules.inputs[*item];
             label->setText(tr("Levels: %1")
@@ -343,7 +343,7 @@ std::vector<LessonForm::Option> LessonForm::optionsFor(const Row& row) const {
             options.push_back({std::move(text), QString::fromStdString(path)});
         }
     } else if (&row.table == &tableOf<ShownMoment>() && std::string_view(row.field.key) == "view") {
-        options.push_back({tr("the one in front"), QString()});
+        options.push_back({tr("the current one"), QString()});
         for (const Choice& choice : choicesOf<Hideable>()) {
             if (viewNamed(choice.key)) {
                 options.push_back({choiceText(choice.label), QString::fromLatin1(choice.key)});

@@ -336,7 +336,7 @@ void LessonPage::add(QWidget* page, const QString& title, std::vector<std::strin
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // its contents have it
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents take the focus
     addTab(scroll, title);
     m_shown.push_back(std::move(shows));
 }

@@ -10,6 +10,7 @@
 #include "ui/lesson/answer_field.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/session/lesson_run.h"
+#include "ui/text/goal_text.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -83,7 +84,7 @@ void LessonPanel::build() {
     buildHead(*layout);
     buildTask();
     auto* scroll = new QScrollArea(this);
-    scroll->setFocusPolicy(Qt::NoFocus); // its contents have it
+    scroll->setFocusPolicy(Qt::NoFocus); // its contents take the focus
     scroll->setWidget(m_taskPage);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -236,7 +237,9 @@ void LessonPanel::showAnswered() {
     m_handIn->setEnabled((!m_field || m_field->isWhole()) && !m_run.isFull());
     m_found->setVisible(record.answer.has_value());
     if (record.answer) {
-        m_found->setText(result ? LessonText::found(step.goal, *result) : tr("Being checked…"));
+        m_found->setText(
+            result ? GoalText::found(step.goal, *result, m_run.projectOf(m_run.step()), false)
+                   : tr("Being checked…"));
         QPalette colours = palette();
         if (result && result->finding != Finding::forTeacher) {
             colours.setColor(QPalette::WindowText, result->passed()
@@ -305,9 +308,8 @@ void LessonPanel::retranslate() {
                                LessonText::markup(lesson.theory)));
     const LessonStep& step = m_run.current();
     m_task->setMarkup(LessonText::markup(step.task));
-    const QString asked = LessonText::asked(step.goal, m_run.projectOf(m_run.step()));
-    m_asked->setText(asked);
-    m_asked->setVisible(!asked.isEmpty());
+    m_asked->setText(GoalText::asked(step.goal, m_run.projectOf(m_run.step())));
+    m_asked->setVisible(isMetBySetting(step.goal.kind())); // other tasks are complete
     if (m_field) {
         m_field->retranslate();
     }

@@ -103,10 +103,9 @@ StudentDialog::StudentDialog(const Lesson& lesson, const QString& name, const QS
     setWindowTitle(tr("Begin the laboratory work"));
     auto* title = new QLabel(LessonText::of(lesson.title), this);
     auto* aim = new QLabel(LessonText::markup(lesson.aim), this);
-    auto* how = new QLabel(
-        tr("In the next step you choose the file your work is kept in: you hand that file in. "
-           "Every answer is saved in it at once."),
-        this);
+    auto* how = new QLabel(tr("Next you choose the file of your work; hand in that file. Every "
+                              "answer is saved in it at once."),
+                           this);
     for (QLabel* label : {title, aim, how}) {
         label->setWordWrap(true);
     }

@@ -19,6 +19,7 @@
 #include "ui/session/settings.h"
 #include "ui/table/value_table.h"
 #include "ui/text/file_error_text.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/texts.h"
 #include "words/lesson_words.h"
 
@@ -311,11 +312,12 @@ void MarksDialog::add(const QStringList& paths) {
     m_works.sort();
     if (m_works.size() > mostWorks) {
         m_works = m_works.mid(0, mostWorks);
-        faults += tr("There are more than %1 works; the first ones are taken.").arg(mostWorks);
+        faults +=
+            tr("There are more than %1 works; only the first ones are marked.").arg(mostWorks);
     }
     showInputs();
     if (!faults.isEmpty()) {
-        showFailure(this, tr("Not taken"), faults.join(u'\n'));
+        showFailure(this, tr("Not accepted"), faults.join(u'\n'));
     }
 }
 
@@ -408,7 +410,8 @@ QString MarksDialog::detail(const GradedWork& work) const {
         QString line = tr("Step %1, points: %2 of %3. %4")
                            .arg(i + 1)
                            .arg(LessonText::points(step.points), LessonText::points(step.most),
-                                LessonText::found(m_marked.steps[i].goal, step.result));
+                                GoalText::found(m_marked.steps[i].goal, step.result,
+                                                projectOf(m_marked, i), true));
         if (step.hints > 0) {
             line += u' ' + tr("Hints: −%1.").arg(LessonText::points(step.hints));
         }

@@ -122,7 +122,7 @@ void VariantCheckDialog::setBusy(bool busy) {
 
 void VariantCheckDialog::start() {
     m_table->setRowCount(0);
-    m_state->setText(tr("Searching for the best answer of the work as it stands…"));
+    m_state->setText(tr("Searching for the best answer of the original work…"));
     m_progress->setRange(0, 0);
     setBusy(true);
     m_stop->setFocus();
@@ -199,7 +199,7 @@ void VariantCheckDialog::finish(const MadeVariants& made) {
     QString text = tr("Tried: %1, variants: %2").arg(made.tries).arg(made.variants.size());
     if (made.reference) {
         text += QStringLiteral(". ")
-                + tr("The work as it stands: best time %1 min, margin %2 %")
+                + tr("The original work: best time %1 min, margin %2 %")
                       .arg(QLocale().toString(made.reference->time_min, 'f', 3),
                            QLocale().toString(made.reference->margin_percent, 'f', 1));
     }

@@ -125,7 +125,7 @@ QWidget* WheelPage::buildRoughness() {
         words->setText(tr("No Ra is measured, or the cycle does not end at size. Measured Ra is "
                           "imported with the parts: Import measurements…"));
     } else {
-        QStringList lines{tr("Factor of Ra: %1, now %2 (n = %3).")
+        QStringList lines{tr("Factor of Ra: %1, current %2 (n = %3).")
                               .arg(FitWords::number(m_roughness->factor),
                                    FitWords::number(m_project.wheel->roughness_factor))
                               .arg(m_roughness->count)};
@@ -135,10 +135,10 @@ QWidget* WheelPage::buildRoughness() {
         const QString wheel = printableText(QString::fromStdString(m_roughness->wheel));
         const QString dressing = printableText(QString::fromStdString(m_roughness->dressing));
         if (!wheel.isEmpty() || !dressing.isEmpty()) {
-            lines << tr("It holds for this wheel and its dressing: %1")
+            lines << tr("It applies to this wheel and its dressing: %1")
                          .arg(QStringList{wheel, dressing}.join(QStringLiteral("; ")));
         } else {
-            lines << tr("It holds for this wheel and its dressing.");
+            lines << tr("It applies to this wheel and its dressing.");
         }
         if (const QString refusal = refusalOf(withRoughness(m_project, *m_roughness, {}, {}));
             !refusal.isEmpty()) {
@@ -161,10 +161,9 @@ QWidget* WheelPage::buildRoughness() {
 QWidget* WheelPage::buildStrengths() {
     auto* box = new QGroupBox(tr("Strengths of the wheel"), this);
     auto* column = new QVBoxLayout(box);
-    column->addWidget(copyableLabel(
-        box,
-        tr("One reading at which the wheel just began to shed its grains gives a common factor of "
-           "the four strengths of grain and bond.")));
+    column->addWidget(
+        copyableLabel(box, tr("One reading at which the wheel just began to shed its grains gives "
+                              "a common factor of the four strengths of grain and bond.")));
     m_reading->setObjectName(QStringLiteral("limitReading"));
     m_reading->addItem(tr("normal force"), static_cast<int>(LimitReading::normal_force));
     m_reading->addItem(tr("power of the wheel, without idle power"),
@@ -290,14 +289,13 @@ bool CalibrationDialog::isEmpty() const {
 QWidget* CalibrationDialog::emptyPage() {
     auto* page = new QWidget(this);
     auto* words = new QLabel(
-        tr("There is nothing yet that the cycle could be fitted to: no recorded trace, no "
-           "diameters of finished parts.\n\n"
-           "Import measurements… reads them from tables: the size at the gauge, the power of the "
-           "wheel, the current of its spindle or the normal force over the time of one cycle, or "
-           "the diameters of finished parts by zone or section.\n\n"
-           "The size alone gives α and β, that is the compliance with the force together; the "
-           "power adds its two shares; with the normal force compliance, flow stress and dullness "
-           "are told apart."),
+        tr("The project has no data to fit the cycle to: no recorded trace, no diameters of "
+           "finished parts.\n\nImport measurements… reads them from tables: the size at the gauge, "
+           "the power of the wheel, the current of its spindle or the normal force over the time "
+           "of one cycle, or the diameters of finished parts by zone or section.\n\nThe size alone "
+           "determines α and β, that is the compliance together with the force; the power adds its "
+           "two shares; with the normal force compliance, flow stress and dullness are determined "
+           "separately."),
         page);
     words->setObjectName(QStringLiteral("calibrationEmpty"));
     words->setTextFormat(Qt::PlainText);

@@ -66,7 +66,7 @@ ColumnsModel::Choices ColumnsModel::choices(const QModelIndex& cell) const {
         break;
     case place:
         if (hasPlace(match)) {
-            choices.emplace_back(tr("as the table says"), noPlace);
+            choices.emplace_back(tr("as stated in the table"), noPlace);
             const int count = std::max(placeCount(m_project), match.place.value_or(0) + 1);
             for (int i = 0; i < count; ++i) {
                 choices.emplace_back(MeasuredText::place(m_project, i), i);
@@ -103,7 +103,7 @@ QVariant ColumnsModel::cell(int row, int column, int role) const {
     default:
         return !hasPlace(match) ? QString()
                : match.place    ? MeasuredText::place(m_project, *match.place)
-                                : tr("as the table says");
+                                : tr("as stated in the table");
     }
 }
 

@@ -151,7 +151,7 @@ void ParameterChoice::addRow(QGridLayout& grid, const Project& project,
 
 void ParameterChoice::propose(const FitData& measured) {
     const bool isOfSources =
-        std::ranges::any_of(m_rows, [](const Row& row) { // otherwise it has no such row
+        std::ranges::any_of(m_rows, [](const Row& row) { // otherwise the row does not exist
             return row.parameter.kind == FittedKind::dullness;
         });
     const std::vector<FittedKind> kinds = proposedParameters(measured, !isOfSources);
@@ -195,8 +195,7 @@ QString ParameterChoice::fault() const {
             }
         }
         if (row.mean->value().has_value() != row.deviation->value().has_value()) {
-            return tr("%1: a mean known before needs its standard deviation, and the other way "
-                      "round.")
+            return tr("%1: a mean known before needs its standard deviation, and vice versa.")
                 .arg(row.box->text());
         }
     }
@@ -357,10 +356,10 @@ QWidget* CycleFitPage::buildButtons() {
     m_leaveOut->setObjectName(QStringLiteral("fitLeaveOut"));
     m_leaveOut->setToolTip(tr("Clears undetermined parameters"));
     m_fitTimes->setObjectName(QStringLiteral("fitTimes"));
-    m_fitTimes->setToolTip(tr("Checks what was left out, and fits again"));
+    m_fitTimes->setToolTip(tr("Checks the omitted parameters, and fits again"));
     m_take->setObjectName(QStringLiteral("fitTake"));
-    m_take->setToolTip(tr("Gives the inputs the values found, as one edit that can be undone, and "
-                          "marks them as calibrated"));
+    m_take->setToolTip(tr("Applies the values found to the inputs, as one edit that can be undone, "
+                          "and marks them as calibrated"));
     m_fault->setObjectName(QStringLiteral("fitFault"));
     m_fault->setTextFormat(Qt::PlainText);
     m_fault->setWordWrap(true);
@@ -493,7 +492,8 @@ QString CycleFitPage::consequences() const {
             .arg(refused.join(QStringLiteral("; ")), advice);
     }
     if (!m_result->outOfStep.empty()) {
-        return tr("These values cannot be applied: what was left out distorts them. Fit it too.");
+        return tr(
+            "These values cannot be applied: an omitted parameter distorts them. Fit it too.");
     }
     if (m_result->status == IdentificationStatus::doesNotFit) {
         return tr("These values cannot be applied: the model does not fit. %1").arg(advice);

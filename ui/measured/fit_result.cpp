@@ -51,10 +51,10 @@ FitResult::FitResult(const Project& project, QWidget* parent)
     m_group->setObjectName(QStringLiteral("fitGroup"));
     m_group->setAccessibleName(tr("Residuals drawn"));
     m_plot->setObjectName(QStringLiteral("fitPlot"));
-    m_plot->setAccessibleName(tr("Measured less predicted"));
+    m_plot->setAccessibleName(tr("Measured minus predicted"));
     m_plot->setMinimumSize(atFontSize(260), atFontSize(150));
     m_correlationsName->setText(tr("Correlations of the values"));
-    m_residualsName->setText(tr("Measured less predicted"));
+    m_residualsName->setText(tr("Measured minus predicted"));
     m_group->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, metrics::gap, 0);

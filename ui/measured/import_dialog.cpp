@@ -224,8 +224,8 @@ ImportDialog::ImportDialog(MeasuredSource source, const Project& project, QWidge
     , m_progress(new QProgressBar(this))
     , m_faults(new QListWidget(this))
     , m_without(new QCheckBox(tr("&Leave out the refused cells and import the rest"), this))
-    , m_add(new QRadioButton(tr("&Add to what is measured"), this))
-    , m_replace(new QRadioButton(tr("&Replace what is measured"), this))
+    , m_add(new QRadioButton(tr("&Add to the measurements"), this))
+    , m_replace(new QRadioButton(tr("&Replace the measurements"), this))
     , m_reader(new MeasuredReader(this)) {
     setWindowTitle(m_source->name.isEmpty()
                        ? tr("Import measurements: pasted table")
@@ -356,7 +356,7 @@ void ImportDialog::connectParts() {
     connect(this, &QDialog::rejected, m_reader, &MeasuredReader::stop);
 }
 
-// --- how it is read -----------------------------------------------------------------------------
+// --- format of the table ------------------------------------------------------------------------
 
 void ImportDialog::propose() {
     m_table = proposeTable(m_source->text);

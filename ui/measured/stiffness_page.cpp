@@ -377,8 +377,8 @@ QWidget* StiffnessPage::buildResult() {
     m_found->setObjectName(QStringLiteral("stiffnessFound"));
     m_compliance->setObjectName(QStringLiteral("stiffnessCompliance"));
     m_take->setObjectName(QStringLiteral("stiffnessTake"));
-    m_take->setToolTip(tr("Gives the machine the stiffness found, as one edit that can be undone, "
-                          "marks it as calibrated, and lets γ follow from it"));
+    m_take->setToolTip(tr("Applies the stiffness found to the machine, as one edit that can be "
+                          "undone, and marks it as calibrated; γ then follows from it"));
     auto* shown = new QWidget(page);
     auto* lines = new QVBoxLayout(shown);
     lines->setContentsMargins(0, 0, metrics::gap, 0);
@@ -438,12 +438,12 @@ void StiffnessPage::evaluate() {
     m_compliance->hide();
     m_take->setEnabled(false);
     if (!m_isMeasurable) {
-        m_words->setText(tr("The trial is of an external surface and of a shaft without steady "
-                            "rests, whose steps are given on the page Part of the inputs: its "
-                            "bending, which is computed, is taken off the readings."));
+        m_words->setText(tr("The trial needs an external surface and a shaft without steady rests, "
+                            "whose steps are given on the page Part of the inputs: its bending is "
+                            "computed and subtracted from the readings."));
     } else if (!m_isComplete) {
-        m_words->setText(tr(
-            "Inputs of the project are missing or wrong: first correct what the messages name."));
+        m_words->setText(tr("Inputs of the project are missing or wrong: first correct the faults "
+                            "in the messages."));
     } else if (!fault.isEmpty()) {
         m_words->setText(fault);
     } else if (asked.readings.empty()) {

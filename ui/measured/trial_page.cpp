@@ -150,8 +150,8 @@ void TrialPage::follow() {
     const bool runs = m_job.running();
     QString fault;
     if (!canRunTrials(m_project)) {
-        fault =
-            tr("Inputs of the project are missing or wrong: first correct what the messages name.");
+        fault = tr("Inputs of the project are missing or wrong: first correct the faults in the "
+                   "messages.");
     } else if (parameters().empty()) {
         fault = tr("No parameter is chosen.");
     }
@@ -199,10 +199,10 @@ void TrialPage::showDesign() {
     m_shown.clear();
     if (!m_design) {
         m_table->hide();
-        m_words->setText(tr("Before the machine grinds a trial, this compares 24 of them: a third, "
-                            "one and three times the feed of the first stage, without and with a "
-                            "spark-out, by what is recorded. The best one narrows the chosen "
-                            "parameters down most."));
+        m_words->setText(
+            tr("Before the machine grinds a trial, this compares 24 of them: a third, one and "
+               "three times the feed of the first stage, without and with a spark-out, by the "
+               "recorded quantities. The best one narrows the chosen parameters down most."));
         return;
     }
     if (m_design->status != TrialStatus::designed) {

@@ -19,8 +19,8 @@ namespace sparkout::report {
 
 namespace {
 
-// The form asks for minutes, also of a cycle of seconds: hundredths tell one of 9 s from one of 12
-// s.
+// The form requires minutes, also for a cycle of seconds: hundredths distinguish one of 9 s from
+// one of 12 s.
 constexpr int minuteDecimals = 2;
 constexpr double hundredths = 100;
 

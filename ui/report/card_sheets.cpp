@@ -73,17 +73,16 @@ const Kind card{
     QT_TRANSLATE_NOOP("CardForm", "OC"), QT_TRANSLATE_NOOP("CardForm", "Operation card, machining"),
     QT_TRANSLATE_NOOP("CardForm", "after GOST 3.1404-86, form 2"),
     QT_TRANSLATE_NOOP("CardForm", "after GOST 3.1404-86, form 2a"),
-    QT_TRANSLATE_NOOP("CardForm",
-                      "The form is modelled on GOST 3.1404-86 and 3.1103: check it against the "
-                      "current edition. The numbers are predictions of a model, to be confirmed at "
-                      "the machine.")};
+    QT_TRANSLATE_NOOP(
+        "CardForm",
+        "The form is modelled on GOST 3.1404-86 and 3.1103: check it against the current edition. "
+        "The numbers are predictions of a model, to be confirmed at the machine.")};
 const Kind sketch{
     QT_TRANSLATE_NOOP("CardForm", "SK"), QT_TRANSLATE_NOOP("CardForm", "Sketch sheet"),
     QT_TRANSLATE_NOOP("CardForm", "after GOST 3.1105-84, form 7"),
     QT_TRANSLATE_NOOP("CardForm", "after GOST 3.1105-84, form 7a"),
-    QT_TRANSLATE_NOOP("CardForm",
-                      "The form is modelled on GOST 3.1105-84 and 3.1103: check it against the "
-                      "current edition. Not to scale.")};
+    QT_TRANSLATE_NOOP("CardForm", "The form is modelled on GOST 3.1105-84 and 3.1103: check it "
+                                  "against the current edition. Not to scale.")};
 
 QString text(const char* caption) {
     return QCoreApplication::translate("CardForm", caption);

@@ -253,8 +253,8 @@ Table wayBackTable(const StateGrid& grid) {
 
 Table wrongStatesTable(const ExactAnswer& exact) {
     Table table;
-    table.head =
-        QStringList{StateGridSheet::tr("State"), StateGridSheet::tr("Where the rule is wrong")};
+    table.head = QStringList{StateGridSheet::tr("State"),
+                             StateGridSheet::tr("States in which the rule is wrong")};
     table.texts = {true, true};
     for (const StateDifference& fault : exact.faults) {
         table.rows.push_back(
@@ -263,9 +263,9 @@ Table wrongStatesTable(const ExactAnswer& exact) {
     return table;
 }
 
-/// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the way back
-/// state by state. A project without a search uses a usual one. In the window's thread; `breathe`
-/// is called during the proof, which is abandoned after some seconds.
+/// The grid of dynamic programming in the hand-out: the rule, the grid, both answers, the path back
+/// state by state. A project without a search uses a usual one. Must run in the window's thread;
+/// `breathe` is called during the proof, which is abandoned after some seconds.
 std::vector<Block> stateGridBlocks(const OutcomePtr& outcome,
                                    const std::function<void()>& breathe) {
     Project project = outcome->result.project;
@@ -367,9 +367,8 @@ private:
             return;
         }
         add(WorkedStep::facts(*m_outcome, *step));
-        add(Paragraph{
-            tr("Every formula stands in symbols, then with its numbers, then with its result. "
-               "Numbers are put in with as many digits as the printed result needs.")});
+        add(Paragraph{tr("Every formula is printed in symbols, then with its numbers, then with "
+                         "its result. Numbers have as many digits as the printed result needs.")});
         add(formulas);
     }
 

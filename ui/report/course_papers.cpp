@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/course_papers.h"
 
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/report/paper_writer.h"
 #include "ui/report/student_view.h"
 #include "ui/report/worksheet.h"
 #include "ui/results/run_table.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -32,7 +33,7 @@ public:
                   PageStyle::sheet) {}
 
     Report write() {
-        m_paper.say(tr("For the teacher alone: it has the answers."));
+        m_paper.say(tr("For the teacher only: it contains the answers."));
         m_paper.section(tr("Aim of the work"));
         m_paper.lesson(m_lesson.aim);
         m_paper.section(tr("Theory"));
@@ -43,14 +44,14 @@ public:
                        "printed from it.")
                         .arg(m_paper.report().program));
         m_paper.table(StudentView(Lesson()).inputs(m_lesson.base.surfaces.front().project),
-                      tr("Inputs of the lesson as it stands"));
+                      tr("Inputs of the original lesson"));
         writeVariants();
         writeTime();
         writeOrder();
         writeQuestions();
         writeMistakes();
         m_paper.section(tr("The report"));
-        m_paper.say(tr("The report has, in the order of GOST 7.32: title page, contents, "
+        m_paper.say(tr("The report contains, in the order of GOST 7.32: title page, contents, "
                        "introduction with the aim, data of the variant, theory in brief, results "
                        "step by step with tables and figures, predictions beside results, kept "
                        "runs compared, conclusion in the student's own words, sources."));
@@ -93,7 +94,7 @@ private:
         m_paper.section(tr("Time norm and points"));
         if (m_lesson.guide) {
             m_paper.say(
-                tr("The work takes %1 min, the defence included.").arg(m_lesson.guide->minutes));
+                tr("The work takes %1 min, including the defence.").arg(m_lesson.guide->minutes));
         }
         Table table;
         table.head = {tr("Step"), tr("Task"), tr("Points"), tr("Hints, price in points")};
@@ -105,7 +106,7 @@ private:
                 prices << printedNumber(hint.price);
             }
             table.rows.push_back(
-                {QString::number(i + 1), GoalWords::asked(step.goal, projectOf(step)),
+                {QString::number(i + 1), GoalText::asked(step.goal, projectOf(m_lesson, i)),
                  printedNumber(step.points),
                  prices.isEmpty() ? QStringLiteral("–") : prices.join(QStringLiteral("; "))});
         }
@@ -113,10 +114,6 @@ private:
                               QStringLiteral("–")});
         table.lastIsSum = true;
         m_paper.table(std::move(table), tr("Points of the steps"));
-    }
-
-    [[nodiscard]] const Project& projectOf(const LessonStep& step) const {
-        return m_lesson.base.surfaces[static_cast<std::size_t>(step.surface) - 1].project;
     }
 
     void writeOrder() {

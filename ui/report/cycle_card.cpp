@@ -211,10 +211,9 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
     texts(tr("Remarks"), OutcomeRemarks::remarks(*outcome));
     const QString notes = manyLines(exampleNotes(project.notes)).trimmed();
     texts(tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});
-    blocks.push_back(
-        Paragraph{tr("The numbers are predictions of a model and are to be confirmed at the "
-                     "machine. The card follows the layout of an operation card and claims no "
-                     "conformity with the form of any standard.")});
+    blocks.push_back(Paragraph{tr("The numbers are predictions of a model and are to be confirmed "
+                                  "at the machine. The card follows the layout of an operation "
+                                  "card and claims no conformity with the form of any standard.")});
     return report;
 }
 

@@ -67,7 +67,7 @@ ChangeWords duller(const Project& project, const ExerciseRun& run) {
     return {ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
                 .arg(printedNumber(dullnessOf(*project.wheel)),
                      printedNumber(dullnessOf(*run.changed.wheel))),
-            {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
+            {{Asked::stepFeed_um, false, ExerciseText::tr("less is cut at the same lag")},
              {Asked::stepForce_n, true,
               ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},
             true};
@@ -108,7 +108,7 @@ ChangeWords slower(const Project& project, const ExerciseRun& run) {
                                "deflections differ less from place to place")},
              {Asked::runout_um, false,
               project.operation->travels
-                  ? ExerciseText::tr("after more and shallower cuts less of it is left")
+                  ? ExerciseText::tr("less of it remains after more and shallower cuts")
                   : ExerciseText::tr("the last revolution leaves a step as deep as its "
                                      "cut, which is shallower now")}}};
 }
@@ -118,20 +118,20 @@ ChangeWords rounder(const Project& project, const ExerciseRun&) {
     return {ExerciseText::tr("The blanks come with twice the runout, %1 instead of %2.")
                 .arg(mm(runout * moreRunoutBy), mm(runout)),
             {{Asked::runout_um, true,
-              ExerciseText::tr("high places are cut deeper than low ones, but not so much "
-                               "deeper that nothing is left of the added %1")
+              ExerciseText::tr("high places are cut deeper than low ones, but not deep enough to "
+                               "remove all of the added %1")
                   .arg(mm(runout * (moreRunoutBy - 1)))},
              {Asked::count, true,
-              ExerciseText::tr("the stock is the least that any radius has, so a larger "
-                               "runout is more metal to take off")}}};
+              ExerciseText::tr("the stock is the minimum over all radii, so a larger runout means "
+                               "more metal to remove")}}};
 }
 
 ChangeWords thicker(const Project& project, const ExerciseRun& run) {
     return {ExerciseText::tr("The stock is larger by a fifth: %1 instead of %2 per side, and the "
-                             "first stage takes the rest off.")
+                             "first stage removes the rest.")
                 .arg(mm(std::round(run.changed.part->stock_mm * digitsKept) / digitsKept),
                      mm(project.part->stock_mm)),
-            {{Asked::count, true, ExerciseText::tr("the first stage has more metal to take off")}}};
+            {{Asked::count, true, ExerciseText::tr("the first stage has more metal to remove")}}};
 }
 
 ChangeWords wordsOf(const Project& project, const ExerciseRun& run) {
@@ -190,7 +190,7 @@ QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_
         text << ExerciseText::tr("the larger lag takes longer to build up");
     }
     if (moreLag && laterShorter) {
-        text << ExerciseText::tr("what the system has yielded goes on cutting in the slower stage");
+        text << ExerciseText::tr("the stored deflection continues to cut in the slower stage");
     }
     return text.join(QStringLiteral("; "));
 }

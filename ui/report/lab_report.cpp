@@ -11,13 +11,14 @@
 #include "core/study/run_comparison.h"
 #include "ui/report/cell_text.h"
 #include "ui/report/cycle_card.h"
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/report/operation_setup.h"
 #include "ui/report/paper_writer.h"
 #include "ui/report/run_figures.h"
 #include "ui/report/student_view.h"
 #include "ui/report/worked_step.h"
 #include "ui/results/run_table.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
@@ -87,7 +88,7 @@ QString yesNo(bool yes) {
 }
 
 QString numberOrDash(const sparkout::Figure& figure, const std::optional<double>& value) {
-    return value ? GoalWords::number(figure, *value) : cell({});
+    return value ? GoalText::number(figure, *value) : cell({});
 }
 
 constexpr int saidDigits = 6; ///< digits of a number typed by a student
@@ -222,7 +223,7 @@ void StepResults::writePrediction(PaperWriter& paper, std::size_t step) const {
                   tr("By the engine"), tr("Allowed difference")};
     table.texts = {true, true};
     table.rows.push_back(
-        {GoalWords::quantity(figure, given(step)), GoalWords::unit(figure),
+        {GoalText::quantity(figure, given(step)), cell(GoalText::unit(figure)),
          result.asked ? printedNumber(*result.asked, saidDigits) : cell({}),
          shows ? numberOrDash(figure, result.value) : cell({}),
          QStringLiteral("±") + Names::fixed(result.tolerance, rowOf(figure.name).digits + 1)});
@@ -235,20 +236,20 @@ void StepResults::writeCurve(PaperWriter& paper, std::size_t step) const {
     const GoalResult& result = m_results[step];
     Table table;
     const auto of = [&](const QString& text) {
-        const QString unit = GoalWords::unit(goal.figure);
-        return unit == u"–" ? text : text + QStringLiteral(", ") + unit;
+        const QString unit = GoalText::unit(goal.figure);
+        return unit.isEmpty() ? text : text + QStringLiteral(", ") + unit;
     };
-    table.head = {GoalWords::along(goal, given(step)), of(tr("Predicted")), of(tr("By the engine")),
+    table.head = {GoalText::along(goal, given(step)), of(tr("Predicted")), of(tr("By the engine")),
                   of(tr("Difference")), tr("Within the allowed difference")};
     table.texts = {true, false, false, false, true};
     for (const ComparedPoint& point : result.curve) {
         table.rows.push_back(
-            {GoalWords::alongAt(goal, point.at, given(step)), numberOrDash(goal.figure, point.said),
-             GoalWords::number(goal.figure, point.value),
-             point.said ? GoalWords::number(goal.figure, *point.said - point.value) : cell({}),
+            {GoalText::alongAt(goal, point.at, given(step)), numberOrDash(goal.figure, point.said),
+             GoalText::number(goal.figure, point.value),
+             point.said ? GoalText::number(goal.figure, *point.said - point.value) : cell({}),
              yesNo(point.isWithin)});
     }
-    const QString name = GoalWords::quantity(goal.figure, given(step));
+    const QString name = GoalText::quantity(goal.figure, given(step));
     paper.table(std::move(table), tr("%1: predicted and computed").arg(name));
     if (!result.curve.empty()) {
         paper.figure(CurveFigure::compared(goal, given(step), result,
@@ -269,12 +270,12 @@ void StepResults::writeOrder(PaperWriter& paper, std::size_t step) const {
         const bool isPlace = place >= 0 && place < static_cast<double>(result.order.size());
         table.rows.push_back(
             {QString::number(i + 1),
-             isPlace ? GoalWords::place(given(step), static_cast<std::size_t>(place)) : cell({}),
-             GoalWords::place(given(step), result.order[i])});
+             isPlace ? GoalText::place(given(step), static_cast<std::size_t>(place)) : cell({}),
+             GoalText::place(given(step), result.order[i])});
     }
     paper.table(
         std::move(table),
-        tr("The order by %1").arg(Names::inSentence(GoalWords::quantity(asked, given(step)))));
+        tr("The order by %1").arg(Names::inSentence(GoalText::quantity(asked, given(step)))));
 }
 
 void StepResults::writeChoice(PaperWriter& paper, std::size_t step) const {
@@ -315,7 +316,7 @@ void StepResults::write(PaperWriter& paper, std::size_t step) {
     }
     QStringList sentences;
     if (of.goal.kind() != GoalKind::text && of.goal.kind() != GoalKind::choice) {
-        sentences << tr("Found: %1.").arg(GoalWords::finding(result.finding));
+        sentences << tr("Found: %1.").arg(GoalText::finding(result.finding));
     }
     if (result.time_min && isMetBySetting(of.goal.kind())) {
         sentences << tr("The cycle takes %1.").arg(Names::timeOfMinutes(*result.time_min, 4));
@@ -325,7 +326,7 @@ void StepResults::write(PaperWriter& paper, std::size_t step) {
         sentences << tr("Hints taken: %1.").arg(record.hints.size());
     }
     if (record.isPredictedLate) {
-        sentences << tr("The prediction came after what it predicts.");
+        sentences << tr("The prediction was handed in after the run.");
     }
     paper.say(sentences.join(u' '));
 }
@@ -342,7 +343,7 @@ Table StepResults::predictions() const {
             continue;
         }
         const sparkout::Figure& figure = *goal.asked();
-        const QString name = GoalWords::withUnit(GoalWords::quantity(figure, given(i)), figure);
+        const QString name = GoalText::quantityAndUnit(figure, given(i));
         QString said, found;
         if (goal.prediction) {
             said = result.asked ? printedNumber(*result.asked, saidDigits) : cell({});
@@ -352,8 +353,8 @@ Table StepResults::predictions() const {
             for (const double place : m_records[i].answer->order.value_or(std::vector<double>())) {
                 order.push_back(static_cast<std::size_t>(std::max(0.0, place)));
             }
-            said = cell(GoalWords::order(given(i), order));
-            found = cell(GoalWords::order(given(i), result.order));
+            said = cell(GoalText::order(given(i), order));
+            found = cell(GoalText::order(given(i), result.order));
         } else {
             const auto within = std::ranges::count_if(
                 result.curve, [](const ComparedPoint& p) { return p.isWithin; });
@@ -363,7 +364,7 @@ Table StepResults::predictions() const {
                         .arg(result.curve.size());
         }
         table.rows.push_back(
-            {QString::number(i + 1), name, said, found, GoalWords::finding(result.finding)});
+            {QString::number(i + 1), name, said, found, GoalText::finding(result.finding)});
     }
     return table;
 }

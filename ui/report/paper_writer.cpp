@@ -4,7 +4,7 @@
 #include "core/text.h"
 #include "core/version.h"
 #include "ui/report/cell_text.h"
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/session/kept_texts.h"
 
 #include <QFileInfo>
@@ -124,9 +124,8 @@ void PaperWriter::lines(const std::string& text) {
 WorkTitle::WorkTitle(const Bilingual& title)
     : m_full(LessonMarkup::inOneLine(PaperWriter::text(title))) {
     static const QRegularExpression numbered(
-        QStringLiteral(
-            "^(?:(?:Лабораторная )?работа|(?:Laboratory )?work)\\s+(?:№|No\\.)?\\s*(\\d+)"
-            "[.:]?\\s*(.+)$"),
+        QStringLiteral("^(?:(?:Лабораторная )?работа|(?:Laboratory "
+                       ")?work)\\s+(?:№|No\\.)?\\s*(\\d+)[.:]?\\s*(.+)$"),
         QRegularExpression::CaseInsensitiveOption);
     const auto match = numbered.match(m_full);
     number = match.captured(1);

@@ -167,11 +167,12 @@ std::vector<Block> PassportMeasured::blocks(const Subject& subject) {
     for (const QString& sentence : MeasuredText::judgement(project, rows)) {
         blocks.emplace_back(Paragraph{sentence});
     }
-    blocks.emplace_back(Paragraph{
-        tr("Mean with Student's interval of 95 %; predicted: the range that 95 % of %n part(s) of "
-           "the batch lie in; F: the variance of the measured parts over the predicted one, with "
-           "what it stays between by chance; inside: measured parts within the predicted range.",
-           nullptr, static_cast<int>(subject.predicting->summary.parts))});
+    blocks.emplace_back(
+        Paragraph{tr("Mean with Student's interval of 95 %; predicted: the range that contains 95 "
+                     "% of %n part(s) of the batch; F: the ratio of the variance of the measured "
+                     "parts to the predicted one, with the limits that it stays within by chance; "
+                     "inside: measured parts within the predicted range.",
+                     nullptr, static_cast<int>(subject.predicting->summary.parts))});
     for (const MeasuredQuantity quantity : MeasuredBoxes::quantities(rows)) {
         if (auto figure = PassportFigures::bars(MeasuredText::quantity(quantity),
                                                 MeasuredBoxes::chart(project, rows, quantity))) {
@@ -187,9 +188,8 @@ std::vector<Block> PassportMeasured::heldOut(const Project& project) {
         blocks.emplace_back(Paragraph{sentence});
     }
     if (!blocks.empty()) {
-        blocks.emplace_back(
-            Paragraph{tr("The range in parentheses is that of the calibrated inputs at the ends of "
-                         "their 95 % intervals.")});
+        blocks.emplace_back(Paragraph{tr("The range in parentheses is that of the calibrated "
+                                         "inputs at the ends of their 95 % intervals.")});
     }
     return blocks;
 }
@@ -443,7 +443,7 @@ private:
         }
         const std::vector<Block> heldOut = PassportMeasured::heldOut(m_project);
         if (!heldOut.empty()) {
-            section(tr("A cycle that the calibration has not used"), heldOut);
+            section(tr("A cycle not used for the calibration"), heldOut);
         }
     }
 

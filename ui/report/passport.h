@@ -43,7 +43,7 @@ public:
 
 /// The accuracy passport: the result of the cycle for a batch of parts compared with the drawing,
 /// from the inputs and factors to the verdict, so that it can be reproduced. Without a batch it
-/// covers the nominal part alone, and says so.
+/// covers only the nominal part, and states so.
 [[nodiscard]] Report passport(const Subject& subject);
 
 } // namespace sparkout::report

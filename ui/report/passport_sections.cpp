@@ -152,9 +152,9 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
             Paragraph{
                 tr("This project describes no batch, so the passport covers only the nominal part: "
                    "it gives no scatter, no capability and no share out of tolerance.")},
-            Paragraph{tr("A batch is added on the page Batch of the inputs, where each factor "
-                         "that scatters gets its distribution, or with “Add a typical batch” in "
-                         "the view Batch.")}};
+            Paragraph{tr(
+                "A batch is added on the page Batch of the inputs, where each factor that scatters "
+                "gets its distribution, or with “Add a typical batch” in the view Batch.")}};
     }
     const BatchOutcome& outcome = *subject.batch;
     const Batch& batch = *outcome.result.project.batch;
@@ -238,12 +238,11 @@ std::vector<Block> PassportInputs::recomputing(const Subject& subject) {
     }
     facts.facts.emplace_back(tr("Command to recompute it"), command);
     const QString how =
-        project.batch
-            ? tr("The same inputs and the same seed give the same numbers, with any number of "
-                 "threads. All that the computation reads is in the appendix, each number with all "
-                 "its digits.")
-            : tr("The same inputs give the same numbers. All that the computation reads is in the "
-                 "appendix, each number with all its digits.");
+        project.batch ? tr(
+            "The same inputs and the same seed give the same numbers, with any number of threads. "
+            "All that the computation reads is in the appendix, each number with all its digits.")
+                      : tr("The same inputs give the same numbers. All that the computation reads "
+                           "is in the appendix, each number with all its digits.");
     return {facts, Paragraph{how}};
 }
 

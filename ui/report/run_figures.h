@@ -9,7 +9,7 @@
 
 class QCustomPlot;
 
-/// Plots of the views as figures of a report. In the window's thread.
+/// Plots of the views as figures of a report. Must run in the window's thread.
 namespace sparkout::report {
 
 /// Width of a figure in its own units.

@@ -100,14 +100,12 @@ CsvTable batchFacts(const BatchOutcome& outcome) {
             BatchText::fitness(weigh(summary, outcome.result).fitness));
     addFact(table, StudyBook::tr("Deciding result"), BatchText::decision(outcome));
     const QString percent = unitText("%");
-    addFact(table, StudyBook::tr("Parts that are not good"),
-            static_cast<double>(summary.bad.count));
-    addFact(table, StudyBook::tr("Share of parts that are not good"), shareCell(summary.bad.value),
-            percent);
+    addFact(table, StudyBook::tr("Rejected parts"), static_cast<double>(summary.bad.count));
+    addFact(table, StudyBook::tr("Share of rejected parts"), shareCell(summary.bad.value), percent);
     if (summary.bad.interval) {
-        addFact(table, StudyBook::tr("Share that is not good, 95 % from"),
+        addFact(table, StudyBook::tr("Share of rejected parts, 95 % from"),
                 shareCell(summary.bad.interval->low), percent);
-        addFact(table, StudyBook::tr("Share that is not good, 95 % to"),
+        addFact(table, StudyBook::tr("Share of rejected parts, 95 % to"),
                 shareCell(summary.bad.interval->high), percent);
     }
     addFact(table, StudyBook::tr("Parts that did not reach size"),
@@ -341,15 +339,15 @@ QString studyName(StudyKind kind) {
 QString studyNote(StudyKind kind) {
     switch (kind) {
     case StudyKind::batch:
-        return StudyBook::tr("Factors and verdict, statistics, rejects by cause, what matters "
-                             "most, histograms and the worst part, each on a sheet of its own.");
+        return StudyBook::tr("Factors and verdict, statistics, rejects by cause, influence of the "
+                             "factors, histograms and the worst part, each on a separate sheet.");
     case StudyKind::sweep:
-        return StudyBook::tr("The inputs varied and every point; over two inputs every quantity "
-                             "on a sheet of its own, too.");
+        return StudyBook::tr("The inputs varied and every point; over two inputs every quantity on "
+                             "a separate sheet, too.");
     case StudyKind::search:
-        return StudyBook::tr("The answer, the settings, the cycle found, the best cycles, the time "
-                             "by stages, the margin by time and what binds, each on a sheet of its "
-                             "own.");
+        return StudyBook::tr(
+            "The answer, the settings, the cycle found, the best cycles, the time by stages, the "
+            "margin by time and the binding requirements, each on a separate sheet.");
     }
     return {};
 }

@@ -122,16 +122,17 @@ constexpr Meaning meanings[] = {
     {"R_t", QT_TRANSLATE_NOOP("Symbol", "target radius")},
     {"Π_k", QT_TRANSLATE_NOOP("Symbol", "stock left at radius k")},
     {"h", QT_TRANSLATE_NOOP("Symbol", "stock left below the cut"), burnName},
-    {"h", QT_TRANSLATE_NOOP("Symbol", "lag of the radius: what the wheel head is ahead of it")},
+    {"h",
+     QT_TRANSLATE_NOOP("Symbol", "lag of the radius: the distance of the wheel head ahead of it")},
     {"γ", QT_TRANSLATE_NOOP("Symbol", "compliance of the system")},
     {"A", QT_TRANSLATE_NOOP("Symbol", "lag per depth of cut, without the wear flats")},
     {"C", QT_TRANSLATE_NOOP("Symbol", "deflection by the wear flats, per root of the depth")},
     {"√a", QT_TRANSLATE_NOOP("Symbol", "root of the depth of cut")},
     {"γ·P_y", QT_TRANSLATE_NOOP("Symbol", "deflection of the system")},
-    {"y", QT_TRANSLATE_NOOP("Symbol", "deflection of all that yields"), balanceName},
-    {"T", QT_TRANSLATE_NOOP("Symbol", "temperature rise of the surface that is just allowed")},
+    {"y", QT_TRANSLATE_NOOP("Symbol", "total deflection"), balanceName},
+    {"T", QT_TRANSLATE_NOOP("Symbol", "allowed temperature rise of the surface")},
     {"√(Ωτ)", QT_TRANSLATE_NOOP("Symbol", "depth that the heat reaches during the contact")},
-    {"x", QT_TRANSLATE_NOOP("Symbol", "that stock over twice this depth")},
+    {"x", QT_TRANSLATE_NOOP("Symbol", "stock left over twice this depth")},
     {"c", QT_TRANSLATE_NOOP("Symbol", "temperature rise per force, from the heat conduction")},
     {"p", QT_TRANSLATE_NOOP("Symbol", "coefficient of the cubic equation w³ + p·w = Q")},
     {"Q", QT_TRANSLATE_NOOP("Symbol", "right side of that equation")},
@@ -139,7 +140,7 @@ constexpr Meaning meanings[] = {
     {"N_s", QT_TRANSLATE_NOOP("Symbol", "structure number of the wheel")},
     {"G", QT_TRANSLATE_NOOP("Symbol", "profile of the dressed grains")},
     {"y", QT_TRANSLATE_NOOP("Symbol", "opening of the wheel's profile by the cut"), roughnessName},
-    {"s", QT_TRANSLATE_NOOP("Symbol", "share of the profile that the cut takes")},
+    {"s", QT_TRANSLATE_NOOP("Symbol", "share of the profile removed by the cut")},
     {"f", QT_TRANSLATE_NOOP("Symbol", "calibration of Ra: measured over computed")},
     {"u", QT_TRANSLATE_NOOP("Symbol", "overlap: revolutions over a point in a stroke")},
     {"S_ф", QT_TRANSLATE_NOOP("Symbol", "limiting actual feed")},
@@ -150,8 +151,8 @@ constexpr Meaning meanings[] = {
     {"f_b", QT_TRANSLATE_NOOP("Symbol", "force that breaks its bond")},
     {"f_cr", QT_TRANSLATE_NOOP("Symbol", "critical force of one grain")},
     {"F",
-     QT_TRANSLATE_NOOP("Symbol", "force that the wheel bears, per width and root of the "
-                                 "depth"),
+     QT_TRANSLATE_NOOP("Symbol",
+                       "force that the wheel withstands, per width and root of the depth"),
      sharpeningName},
     {"F", QT_TRANSLATE_NOOP("Symbol", "tangential force that the drive allows, per width")},
 };
@@ -362,8 +363,7 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
         }
     }
     StepFormulas formulas(project, pass.place, citations, std::move(leftOut));
-    formulas.say(tr("The forces are those of the depth of cut that the elastic balance gives, "
-                    "further below."));
+    formulas.say(tr("The forces are those at the depth of cut of the elastic balance below."));
     for (const FormulaSheet& sheet : forces) {
         formulas.add(sheet);
     }
@@ -378,12 +378,11 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
                               : tr("No requirement of this project limits the feed."));
         return formulas.take();
     }
-    formulas.say(
-        limitsRa && calibrated
-            ? tr("Each requirement allows a maximum depth of cut; the formulas below say where "
-                 "it comes from. Roughness limits the last cut of the cycle alone.")
-            : tr("Each requirement allows a maximum depth of cut; the formulas below say where "
-                 "it comes from."));
+    formulas.say(limitsRa && calibrated
+                     ? tr("Each requirement allows a maximum depth of cut; the formulas below show "
+                          "its origin. Roughness limits only the last cut of the cycle.")
+                     : tr("Each requirement allows a maximum depth of cut; the formulas below show "
+                          "its origin."));
     formulas.add(limits(outcome, step, !hidden));
     for (const FormulaSheet& sheet : sheets) {
         formulas.add(sheet);

@@ -6,7 +6,7 @@
 #include "core/study/outcome.h"
 #include "ui/report/cell_text.h"
 #include "ui/report/exercises.h"
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/report/operation_setup.h"
 #include "ui/report/paper_writer.h"
 #include "ui/report/run_figures.h"
@@ -14,6 +14,7 @@
 #include "ui/report/worked_step.h"
 #include "ui/results/run_table.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
@@ -71,7 +72,7 @@ void writeAnswerFields(PaperWriter& paper, const StudentView& view, std::size_t 
     Setup setup;
     const Project& project = projectOf(view, step, setup);
     const Goal& goal = view.lesson().steps[step].goal;
-    paper.say(GoalWords::asked(goal, project));
+    paper.say(GoalText::asked(goal, project));
     Table table;
     switch (goal.kind()) {
     case GoalKind::choice:
@@ -85,18 +86,16 @@ void writeAnswerFields(PaperWriter& paper, const StudentView& view, std::size_t 
         table.head = {AnswerFields::tr("Quantity"), AnswerFields::tr("Predicted"),
                       AnswerFields::tr("By the engine"), AnswerFields::tr("Difference")};
         table.texts = {true};
-        table.rows.push_back(
-            {GoalWords::withUnit(GoalWords::quantity(goal.prediction->figure, project),
-                                 goal.prediction->figure),
-             toWrite(), toWrite(), toWrite()});
+        table.rows.push_back({GoalText::quantityAndUnit(goal.prediction->figure, project),
+                              toWrite(), toWrite(), toWrite()});
         break;
     case GoalKind::curve:
-        table.head = {GoalWords::along(*goal.curve, project), AnswerFields::tr("Predicted"),
+        table.head = {GoalText::along(*goal.curve, project), AnswerFields::tr("Predicted"),
                       AnswerFields::tr("By the engine"), AnswerFields::tr("Difference")};
         table.texts = {true};
         for (const double at : goal.curve->at) {
             table.rows.push_back(
-                {GoalWords::alongAt(*goal.curve, at, project), toWrite(), toWrite(), toWrite()});
+                {GoalText::alongAt(*goal.curve, at, project), toWrite(), toWrite(), toWrite()});
         }
         break;
     case GoalKind::order:
@@ -154,7 +153,7 @@ public:
                            {tr("Variant"), orLine(m_exam.variant)},
                            {tr("Date"), QString(lineSigns, u'_')}}});
         if (m_isKey) {
-            m_paper.say(tr("For the teacher alone. Numbers of formulas and questions are those of "
+            m_paper.say(tr("For the teacher only. Numbers of formulas and questions are those of "
                            "the worksheet."));
         }
         writeTask();
@@ -255,9 +254,9 @@ private:
         heading(tr("The step to work out"));
         m_paper.add(WorkedStep::facts(outcome, *m_step, m_isKey));
         if (!m_isKey) {
-            m_paper.say(tr("Every formula stands in symbols, then with the numbers that are given. "
-                           "Write what is missing: a number that an equation computes is put in "
-                           "where it stands in the next ones."));
+            m_paper.say(tr("Every formula is printed in symbols, then with the given numbers. Fill "
+                           "in the missing ones: insert a computed number wherever it occurs in "
+                           "the next equations."));
         }
         m_paper.add(worked.blocks);
         if (!m_isKey) {

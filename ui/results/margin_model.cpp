@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/margin_model.h"
 
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "ui/kit/theme.h"
 #include "ui/results/result_tables.h"
 #include "ui/results/verdict_table.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/study/outcome.h"
 #include "ui/results/verdict_table.h"
 #include "ui/table/csv_table.h"

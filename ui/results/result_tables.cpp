@@ -2,9 +2,9 @@
 #include "ui/results/result_tables.h"
 
 #include "core/project/machine.h"
-#include "core/quality/light.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 #include "ui/results/margin_model.h"
 #include "ui/results/verdict_table.h"
@@ -296,8 +296,8 @@ CsvTable stageTable(const ShopNumbers& shop, Operation operation) {
 QStringList shopRemarks(const ShopNumbers& shop) {
     QStringList sentences;
     addRemark(sentences, shop, &ShopColumn::specificEnergyBand, BandSide::below,
-              ShopText::tr("Specific energy below %2 J/mm³ (stage %1): too little to be true; "
-                           "the wheel's dullness or the flow stress may be set too low.")
+              ShopText::tr("Specific energy below %2 J/mm³ (stage %1) is implausibly low; the "
+                           "wheel's dullness or the flow stress may be set too low.")
                   .arg(QStringLiteral("%1"), Names::significant(leastSpecificEnergy_j_mm3, 2)));
     addRemark(sentences, shop, &ShopColumn::specificEnergyBand, BandSide::above,
               ShopText::tr("Specific energy above %2 J/mm³ (stage %1): the wheel rubs more than "

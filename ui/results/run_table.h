@@ -16,7 +16,7 @@ namespace sparkout {
 struct RunRow {
     QString what; ///< "Cycle › Stage 2 › Axial feed"
     QString unit;
-    QStringList shown;          ///< for each run; "–" if it has no such value
+    QStringList shown;          ///< for each run; "–" if it does not have this value
     std::vector<CsvCell> cells; ///< with all their digits
     bool isResult = false;
 };

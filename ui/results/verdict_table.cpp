@@ -249,8 +249,8 @@ ValueHead headOf(const ConstraintResult& c, const Project& project) {
                           QStringLiteral("\n"))};
 }
 
-/// The name, in words where it needs attention; else the mark is enough. The panel says above which
-/// machine is not known.
+/// The name, in words where it needs attention; else the mark is enough. The panel states above it
+/// which machine is not known.
 ValueCell nameCell(const ConstraintResult& c, const Project& project, const LightIcons& icons) {
     const bool guessed = LimitNames::isGuess(c.kind, project);
     const QString name = requirementName(
@@ -376,9 +376,9 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         return text + tr(", more than the limit: no cycle can meet it.");
     }
     if (!c.knowsMachine) {
-        text += tr("; what the machine adds is not known");
+        text += tr("; the machine's share is not known");
     } else if (project.machine->form) {
-        text += tr(", with what the machine prints");
+        text += tr(", including the form that the machine prints");
     }
     return c.holds ? text + u'.'
                    : text + tr(". More passes without feed or a smaller last feed reduce it.");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/batch/judgement.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/result.h"
 #include "core/study/outcome.h"
 #include "ui/table/value_table.h"

@@ -4,7 +4,7 @@
 #include "core/catalogue/catalogue_check.h"
 #include "core/file/file_system.h"
 #include "core/file/project_file.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/wheel.h"

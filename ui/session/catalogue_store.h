@@ -61,7 +61,7 @@ public:
     // Each returns the reason why nothing was written; empty on success. Saves the project's values
     // under a name, replacing an own entry with that name.
     [[nodiscard]] virtual QString save(const Project& project, const QString& name) = 0;
-    /// Saves entries of this kind unchanged, each replacing an own one with its name.
+    /// Saves entries of this kind unchanged, each replacing the user's entry with its name.
     [[nodiscard]] virtual QString keep(const std::vector<CatalogueEntry>& entries) = 0;
     [[nodiscard]] virtual QString rename(const QString& from, const QString& to) = 0;
     [[nodiscard]] virtual QString remove(const QString& name) = 0;

@@ -142,7 +142,7 @@ void CycleCursor::toTime(double time_s) {
     setPosition(moment * K + std::clamp(done, 0LL, K));
 }
 
-// --- where it is --------------------------------------------------------------------------------
+// --- position -----------------------------------------------------------------------------------
 
 std::size_t CycleCursor::moment() const {
     return static_cast<std::size_t>((m_position - 1) / m_outcome->trajectory.radii);

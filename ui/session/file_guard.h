@@ -30,7 +30,7 @@ public:
 
     Autosave(Document& document, RecoveryStore store, Times times, QObject* parent = nullptr);
     Autosave(Document& document, RecoveryStore store, QObject* parent = nullptr);
-    /// Keeps the last changes, if there are any that nobody gave up.
+    /// Saves the last changes unless they were discarded.
     ~Autosave() override;
 
     /// Continues in the recovery file of a crashed session.

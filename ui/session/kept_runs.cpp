@@ -142,7 +142,7 @@ bool KeptRuns::restore(int index) {
     return true;
 }
 
-// --- what is chosen and computed ----------------------------------------------------------------
+// --- chosen and computed runs -------------------------------------------------------------------
 
 std::vector<KeptRuns::Entry> KeptRuns::entriesNow() const {
     const SetupState& state = m_document.state();

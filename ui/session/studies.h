@@ -133,7 +133,7 @@ private:
     struct Shared {
         std::mutex mutex;
         SearchState state;
-        std::optional<Project> project; ///< project of the search; none: none was made
+        std::optional<Project> project; ///< project of the search; empty: no search was made
         SearchWish wish;
         SearchRecord record; ///< record to continue it; empty: it cannot be continued
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/table/profile_csv.h"
 
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 #include "core/project/part.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"

@@ -12,7 +12,7 @@
 namespace sparkout {
 
 struct SheetColumn {
-    /// The number format of a column: so many decimals, or one of these.
+    /// The number format of a column: this many decimals, or one of these.
     static constexpr int general = xlsx::Column::general, scientific = xlsx::Column::scientific;
 
     QString name;

@@ -84,7 +84,7 @@ QString EstimateNames::inputs(const Project& project, ConstraintKind kind) {
 
 QString EstimateNames::behind(const Project& project, ConstraintKind kind) {
     const QString names = inputs(project, kind);
-    return names.isEmpty() ? QString() : tr("Rests on estimates, to be calibrated: %1.").arg(names);
+    return names.isEmpty() ? QString() : tr("Based on estimates, to be calibrated: %1.").arg(names);
 }
 
 } // namespace sparkout

@@ -28,8 +28,8 @@ public:
     /// The limits of the feed that are off, those of every cut first, and the drawing's tolerances
     /// that are off, in the order of their inputs.
     static std::vector<OffLimit> off(const Project& project);
-    /// A sentence on what is off, plain or as rich text with links to the inputs. Empty if nothing
-    /// is off.
+    /// A sentence on the limits that are off, plain or as rich text with links to the inputs. Empty
+    /// if none is off.
     static QString notChecked(const Project& project);
     static QString notCheckedLinks(const Project& project);
     /// Whether the limit of the feed has no definite value: roughness that is not calibrated.

@@ -3,8 +3,8 @@
 
 #include "core/digits.h"
 #include "core/project/member.h"
-#include "core/quality/light.h"
 #include "core/quality/ranges.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"

@@ -44,6 +44,9 @@ namespace sparkout {
 /// contain or would interpret (NUL, marks of direction) become U+FFFD.
 [[nodiscard]] QString harmlessText(QString text);
 
+/// Keeps a number on one line with its tolerance and per cent sign.
+[[nodiscard]] QString unbroken(QString text);
+
 /// Rich text with indices below the line: "S_ax" → "S<sub>ax</sub>"; the text is escaped first.
 [[nodiscard]] QString withIndices(const QString& text);
 

@@ -421,7 +421,7 @@ void Actions::retranslate() {
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         sizes[i]->setText(tr("%1: %2 %").arg(types[qsizetype(i)]).arg(fontSizes[i]));
     }
-    help->setText(tr("&Help on what is in focus"));
+    help->setText(tr("&Help on the focused item"));
     helpContents->setText(tr("&Contents"));
     helpShortcuts->setText(tr("&Keyboard shortcuts"));
     tour->setText(tr("&Tour of the window"));

@@ -108,7 +108,7 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
     connect(m_list, &QTreeWidget::itemActivated, m_recover, &QPushButton::click);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(plainLabel(tr("Work that was not saved was found. Recovering opens it here, "
-                                    "still unsaved; your own files are not touched."),
+                                    "still unsaved; your own files stay unchanged."),
                                  this));
     if (offeredElsewhere) {
         layout->addWidget(plainLabel(offeredElsewhereText(), this));
@@ -346,8 +346,8 @@ void FileNotices::showChangedOnDisk(const DiskState& state) {
         m_bar.add({diskKey,
                    Mark::warning,
                    [name] {
-                       return tr("“%1” was removed or renamed by another program. The project "
-                                 "now is in this window only.")
+                       return tr("“%1” was removed or renamed by another program. The project now "
+                                 "exists only in this window.")
                            .arg(name);
                    },
                    {{[] { return tr("Save"); }, [this] { emit saveWanted(); }}}});
@@ -377,8 +377,8 @@ void FileNotices::showRecovered(const RecoveryHeader& header) {
                    const QString when = momentText(header.when.toLocalTime());
                    return header.path.isEmpty()
                               ? tr("This is recovered work of %1. It is not saved yet.").arg(when)
-                              : tr("This is recovered work of %1 on “%2”. It is not saved "
-                                   "yet; the file is as it was.")
+                              : tr("This is recovered work of %1 on “%2”. It is not saved yet; the "
+                                   "file is unchanged.")
                                     .arg(when, nameOf(header.path));
                },
                {{[] { return tr("Save"); }, [this] { emit saveWanted(); }}}});

@@ -175,23 +175,21 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
         {[&window] { return placeOfLastButton(window); },
          tourText(QT_TRANSLATE_NOOP("Tour", "An example to begin with")),
          tourText(QT_TRANSLATE_NOOP(
-             "Tour",
-             "The last button of the tool bar opens the shipped examples, each as a copy: change "
-             "what you like. The first one begins a project of your own."))},
+             "Tour", "The last button of the tool bar opens the shipped examples, each as a copy: "
+                     "change what you like. The first one begins a project of your own."))},
         {[&] { return placeOf(shownStages(window, inputs)); },
          tourText(QT_TRANSLATE_NOOP("Tour", "The stages of the cycle")),
          tourText(QT_TRANSLATE_NOOP(
-             "Tour",
-             "A row is a stage: feeds, stock, spark-out, and the time it takes. Type into a "
-             "cell; everything is computed again at once. The pages above hold part, "
-             "material, wheel, machine, gauge and batch."))},
+             "Tour", "A row is a stage: feeds, stock, spark-out, and the time it takes. Type into "
+                     "a cell; everything is computed again at once. The pages above hold part, "
+                     "material, wheel, machine, gauge and batch."))},
         {[&] { return placeOfView(tabs, "feeds"); },
          tourText(QT_TRANSLATE_NOOP("Tour", "Programmed feed and actual cut")),
          tourText(QT_TRANSLATE_NOOP(
-             "Tour", "Dashed: the feed of the program. Solid: what the part really gets, zone by "
-                     "zone, because everything yields. The first tab sums the cycle up in bars; "
-                     "the others show form, limits, compliance, layers, a batch and compared "
-                     "runs."))},
+             "Tour",
+             "Dashed: the feed of the program. Solid: the actual cut, zone by zone, which differs "
+             "because everything yields. The first tab sums the cycle up in bars; the others show "
+             "form, limits, compliance, layers, a batch and compared runs."))},
         {[&] {
              showDock(window, "verdict");
              return namedPart(window, "verdict")();
@@ -202,19 +200,16 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
                                     "click on a row leads to the place where the value arises."))},
         {[&] { return placeOf(shownStages(window, inputs)->findChild<RowSliders*>()); },
          tourText(QT_TRANSLATE_NOOP("Tour", "Play with the feeds")),
-         tourText(QT_TRANSLATE_NOOP(
-             "Tour", "Drag a slider and watch curves, time and margins follow. Undo takes a whole "
-                     "drag back."))},
+         tourText(QT_TRANSLATE_NOOP("Tour", "Drag a slider and watch curves, time and margins "
+                                            "follow. Undo reverts a whole drag."))},
         {namedPart(window, "playback"),
          tourText(QT_TRANSLATE_NOOP("Tour", "Step through the cycle")),
          tourText(QT_TRANSLATE_NOOP(
-             "Tour",
-             "Play, or step by stage, double stroke, step E1…E5 or radius. All views follow; "
-             "the button at the right shows the formulas with their numbers."))},
+             "Tour", "Play, or step by stage, double stroke, step E1…E5 or radius. All views "
+                     "follow; the button at the right shows the formulas with their numbers."))},
         {[&] { return placeOfHelpMenu(window); }, tourText(QT_TRANSLATE_NOOP("Tour", "Help")),
-         tourText(QT_TRANSLATE_NOOP(
-             "Tour", "F1 explains the field or the view in focus. This tour can be started again "
-                     "from the menu Help."))},
+         tourText(QT_TRANSLATE_NOOP("Tour", "F1 explains the field or the view in focus. This tour "
+                                            "can be started again from the menu Help."))},
     };
 }
 

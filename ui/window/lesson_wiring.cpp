@@ -253,7 +253,7 @@ void LessonWiring::goTo(CycleCursor& cursor, const ShownMoment& moment) {
         }
         cursor.step(CursorUnit::step, -1);
     }
-    cursor.toStroke(*moment.count); // no such step
+    cursor.toStroke(*moment.count); // the cycle does not have this step
 }
 
 void LessonWiring::retranslate() {

@@ -165,7 +165,7 @@ void PartCommands::rename() {
         tr("Rename the surface"), tr("&Rename"), SurfaceEdits::nameOf(m_document.state(), surface),
         [this, surface](const QString& name) -> NameDialog::Answer {
             const bool isFree = m_edits.isFreeName(name, surface);
-            return {isFree ? QString() : tr("Each surface has a name of its own."), isFree};
+            return {isFree ? QString() : tr("Each surface needs its own name."), isFree};
         },
         m_window);
     setHelpTopic(dialog, QStringLiteral("surfaces"));

@@ -266,7 +266,7 @@ void PlaybackBar::retranslate() {
     };
     tell(m_first, tr("To the blank"));
     tell(m_previous, tr("One step back"));
-    tell(m_next, tr("One step on"));
+    tell(m_next, tr("One step forward"));
     tell(m_last, tr("To the end of the cycle"));
     tell(m_unit, tr("Step of the playback"));
     tell(m_speed, tr("Speed of the playback, steps a second"));

@@ -139,13 +139,12 @@ void RunKeeper::reportChanged() {
         {changedKey,
          Mark::warning,
          [count, names] {
-             return tr("%n kept runs come out differently with this version of the program than "
-                       "they were kept: %1.",
+             return tr("%n kept runs give other results with this version of the program: %1.",
                        nullptr, count)
                  .arg(printableText(names.mid(0, 3).join(QStringLiteral(", ")))
                       + (count > 3 ? QStringLiteral(", …") : QString()));
          },
-         {{[] { return tr("Show what differs"); }, [this] { emit compareWanted(); }}}});
+         {{[] { return tr("Show the differences"); }, [this] { emit compareWanted(); }}}});
 }
 
 } // namespace sparkout

@@ -22,7 +22,7 @@ public:
     void keep();        ///< keeps the run of the current inputs, now or when it is computed
     void keepAwaited(); ///< after the studies have received an outcome
     /// Runs other inputs in the background, keeps the run under a name and requests the comparison.
-    /// A notice shows a long run, and stops it.
+    /// A notice shows a long run and can stop it.
     void keepAside(Project project, const QString& name);
 
 signals:

@@ -214,7 +214,7 @@ void ViewTabs::openMenu(const QPoint& place) {
     }
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    QAction* action = menu->addAction(themeIcon(u"detach"), tr("&Detach into a window of its own"));
+    QAction* action = menu->addAction(themeIcon(u"detach"), tr("&Detach into a separate window"));
     action->setEnabled(canDetach());
     connect(action, &QAction::triggered, this, [this, view] { detach(view); });
     menu->popup(tabBar()->mapToGlobal(place));
@@ -222,9 +222,8 @@ void ViewTabs::openMenu(const QPoint& place) {
 
 void ViewTabs::showTexts() {
     m_tear->setEnabled(canDetach());
-    m_tear->setToolTip(canDetach() ? tr("Detach the view into a window of its own (also: double "
-                                        "click on its tab). It comes back when the window is "
-                                        "closed.")
+    m_tear->setToolTip(canDetach() ? tr("Detach the view into a separate window (also: double "
+                                        "click on its tab). It returns when the window is closed.")
                                    : tr("The last view stays in the main window."));
     for (const View* view : m_views) {
         const int index = indexOf(view);

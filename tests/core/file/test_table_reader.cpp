@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of text: what is written is read back equal, whatever its cells hold; rows and quotation
 // marks as other programs write them.
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 
 #include "core/file/csv_line.h"
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Encodings of table files: by byte order mark and by evidence; any bytes become valid UTF-8.
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
 
 #include "core/lesson/work.h"
 #include "core/sha256.h"

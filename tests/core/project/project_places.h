@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/file/project_file.h"
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/validate.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/core/support/project_samples.h"

@@ -153,8 +153,8 @@ private slots:
             fitting << QStringLiteral("to plunge %1 mm").arg(plunge);
         }
         const QString expected =
-            fitting.isEmpty() ? QStringLiteral(" (no wheel of the catalogue would do)")
-                              : QStringLiteral(" (widths of the catalogue's wheels that would do: "
+            fitting.isEmpty() ? QStringLiteral(" (no wheel of the catalogue fits)")
+                              : QStringLiteral(" (widths of the catalogue's wheels that fit: "
                                                "%1)")
                                     .arg(fitting.join(QStringLiteral("; ")));
         const QString sentence = QString::fromStdString(issueSentence(*found));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
@@ -172,7 +172,7 @@ private:
         }
         for (const auto& [ending, unit] : unitsOfEndings()) {
             if (std::string(field.key).ends_with(ending)) {
-                const bool feed = field.unit == unit + "/dbl stroke"; // of traverse grinding
+                const bool feed = field.unit == unit + "/double stroke"; // of traverse grinding
                 QVERIFY2(field.unit == unit || feed, field.unit);
                 return;
             }

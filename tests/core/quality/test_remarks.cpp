@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a run shows to be amiss in the inputs.
-#include "core/quality/light.h"
 #include "core/quality/roughness.h"
+#include "core/quality/verdict.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -2,7 +2,7 @@
 // How much of a limit is used up, and the least margin of a summary.
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -4,7 +4,7 @@
 #include "core/search/search_journal.h"
 
 #include "core/batch/state_seal.h"
-#include "core/search/search_state.h"
+#include "core/search/search_record_text.h"
 #include "core/study/search.h"
 #include "tests/core/search/search_checks.h"
 #include "tests/registry.h"

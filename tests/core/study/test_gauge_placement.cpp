@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where to put the gauge [AKINTSEVA2020, section 3].
+// The best position of the gauge [AKINTSEVA2020, section 3].
 #include "core/study/gauge_placement.h"
 
 #include "tests/core/support/project_fixtures.h"

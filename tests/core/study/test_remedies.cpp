@@ -9,8 +9,8 @@
 #include "core/phases/sampled_phases.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
-#include "core/quality/light.h"
 #include "core/quality/ranges.h"
+#include "core/quality/verdict.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "core/study/outcome.h"
@@ -1033,7 +1033,7 @@ private slots:
                      "Of 500 parts of the batch drawn for this check, 2 are rejected: with 95 % "
                      "confidence at most 1.44 % of all parts are."));
         const std::string line = RemedyWording().line(project, remedy);
-        QVERIFY2(line.ends_with("; for every stock, 2 of 500 bad"), line.c_str());
+        QVERIFY2(line.ends_with("; for every stock, 2 of 500 rejected"), line.c_str());
         const std::string interval =
             numberText(remedy.interval.low) + "…" + numberText(remedy.interval.high) + " rev/min)";
         QVERIFY2(line.find(interval) != std::string::npos, line.c_str());

@@ -101,7 +101,7 @@ private slots:
              "“until size”");
         line("feed", 1, 0, "0.002\t900\t0.04\t5",
              "Stage 2, Radial feed: “0.002” cannot be entered: this row does not use the column");
-        line("heads", 0, 0, "Stock per side, mm\n", "there are no rows below the heads");
+        line("heads", 0, 0, "Stock per side, mm\n", "there are no rows below the headings");
     }
     void aRefusedCellIsNamedAndNothingIsTaken() {
         QFETCH(int, row);

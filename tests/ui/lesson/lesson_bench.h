@@ -62,7 +62,7 @@ struct Seat {
     void writeWork(const Work& work) const {
         QVERIFY(!writeFileSafely(file().toStdString(), sparkout::writeWork(work)));
     }
-    /// The work as it stands on the disk.
+    /// The work on the disk.
     [[nodiscard]] Work onDisk() const {
         run().flush();
         return *readWork(std::get<std::string>(readFile(file().toStdString(), 1u << 24))).work;

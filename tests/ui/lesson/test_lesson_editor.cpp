@@ -159,7 +159,7 @@ private slots:
             return desk.part<QLabel>(QString::fromLatin1(name))->text();
         };
         QCOMPARE(shown("/variants/inputs/0/levels"), QStringLiteral("Levels: 9"));
-        QCOMPARE(shown("/variants/inputs/count"), QStringLiteral("Variants in all: 2592"));
+        QCOMPARE(shown("/variants/inputs/count"), QStringLiteral("Total variants: 2592"));
         // A range of another input, chosen by its name; it begins with the value of the project.
         desk.press("/variants/inputs/add");
         QCOMPARE(desk.faults().size(), 1);
@@ -174,7 +174,7 @@ private slots:
         desk.type("/variants/inputs/4/to", QStringLiteral("100"));
         desk.type("/variants/inputs/4/step", QStringLiteral("2"));
         QCOMPARE(shown("/variants/inputs/4/levels"), QStringLiteral("Levels: 6"));
-        QCOMPARE(shown("/variants/inputs/count"), QStringLiteral("Variants in all: 15552"));
+        QCOMPARE(shown("/variants/inputs/count"), QStringLiteral("Total variants: 15552"));
         desk.press("/variants/inputs/4/up");
         nlohmann::json wanted = nlohmann::json::parse(before);
         auto& inputs = wanted["variants"]["inputs"];

@@ -6,7 +6,7 @@
 #include "tests/ui/report/course_bench.h"
 #include "tests/ui/report/handout_bench.h"
 #include "ui/report/format/formula_writer.h"
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 #include "ui/text/names.h"
 
 #include <QRegularExpression>

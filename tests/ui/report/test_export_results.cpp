@@ -2,7 +2,7 @@
 // Labels: numbers
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
 #include "core/file/project_file.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/progress.h"
 #include "tests/registry.h"
 #include "tests/ui/report/export_bench.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Plots and tables of the window, saved from their own menus.
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "tests/registry.h"
 #include "tests/ui/report/export_bench.h"
 #include "tests/ui/support/dialog_answers.h"

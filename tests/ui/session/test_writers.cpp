@@ -9,7 +9,7 @@
 #include "core/lesson/work.h"
 #include "core/project/part.h"
 #include "core/search/grid.h"
-#include "core/search/search_state.h"
+#include "core/search/search_record_text.h"
 #include "core/setup/setup_file.h"
 #include "core/study/kept_search.h"
 #include "core/study/new_project.h"

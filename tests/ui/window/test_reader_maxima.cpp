@@ -3,7 +3,7 @@
 // is shown with it, and the window goes on beating. The maxima are those of the readers' own tables
 // and constants; without SPARKOUT_LONG a small case of each is opened alone. Prints the worst gap
 // and the memory of each; fails at four times the target.
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 #include "core/lesson/text_markup.h"
 #include "core/project/member.h"
 #include "core/study/new_project.h"

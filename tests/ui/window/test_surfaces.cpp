@@ -270,8 +270,7 @@ private slots:
                 }
                 QVERIFY(
                     std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
-                        return label->text()
-                               == QStringLiteral("Each surface has a name of its own.");
+                        return label->text() == QStringLiteral("Each surface needs its own name.");
                     }));
                 name->setText(QStringLiteral("  Cone <b>  "));
                 QVERIFY(accept->isEnabled());
@@ -719,7 +718,7 @@ private slots:
         const auto cell = [whole](int row, PartColumn column) {
             return whole->model().index(row, static_cast<int>(column)).data().toString();
         };
-        QCOMPARE(cell(1, PartColumn::batch), QStringLiteral("0 of 8 bad"));
+        QCOMPARE(cell(1, PartColumn::batch), QStringLiteral("0 of 8 rejected"));
         QVERIFY(cell(2, PartColumn::batch).isEmpty());
         QVERIFY(cell(2, PartColumn::verdict).contains(open));
         const auto labels = whole->findChildren<QLabel*>();

@@ -206,7 +206,7 @@ QString kept(QString paragraph) {
 void TextBox::wrap(const QString& text, double indent) {
     for (const QString& given : text.split(u'\n')) {
         double start = indent;
-        if (given.isEmpty()) { // Qt 6.4 makes no line of it, and an empty one later
+        if (given.isEmpty()) { // Qt 6.4 creates no line for it, later versions an empty one
             m_lines += QString();
             m_goesOn += true;
             m_starts += start;

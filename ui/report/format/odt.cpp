@@ -454,7 +454,7 @@ QByteArray odt(const Report& report) {
                                                                                : upright_mm,
                                          pictures);
     ZipWriter zip;
-    zip.addStored("mimetype", mimeType); // first, and as it is: by it the file is known
+    zip.addStored("mimetype", mimeType); // first and uncompressed: it identifies the file
     const auto add = [&zip](const QByteArray& name, const QByteArray& bytes) {
         zip.begin({name.constData(), std::size_t(name.size())});
         zip.add({bytes.constData(), std::size_t(bytes.size())});

@@ -236,7 +236,7 @@ std::vector<int> CompareView::chosenRuns() const {
     return runs;
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed runs -----------------------------------------------------------------------------
 
 void CompareView::takeOutcome(const OutcomePtr& before) {
     if (good() == before) {

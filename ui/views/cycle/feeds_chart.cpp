@@ -81,7 +81,7 @@ QString FeedsChart::timeLabel() const {
     return {};
 }
 
-// --- what is in sight ---------------------------------------------------------------------------
+// --- visible range ------------------------------------------------------------------------------
 
 FeedsChart::Detail FeedsChart::visibleDetail() const {
     const double strokes = visibleStrokes();

@@ -108,16 +108,15 @@ void FeedsNote::retranslate() {
         if (m_infeed != ReversalInfeed::entry) {
             text << tr("With infeed at the exit, RZ2 is ground in E4 between its E1 and E2.");
         }
-        text
-            << tr("A zone is shown as ground during the whole stroke, as in the model: the "
-                  "position of the wheel within a stroke is not resolved.")
-            << tr("Over the whole cycle a point is a double stroke: feeds are summed over its "
-                  "passes, the force is that of its hardest pass. Closer, a point is one pass, and "
-                  "within one double stroke it is one radius under the wheel.");
+        text << tr("A zone is shown as ground during the whole stroke, as in the model: the "
+                   "position of the wheel within a stroke is not resolved.")
+             << tr("Over the whole cycle a point is a double stroke: feeds are summed over its "
+                   "passes, the force is that of its hardest pass. Zoomed in, a point is one pass, "
+                   "and within one double stroke it is one radius under the wheel.");
     } else {
         text << tr("All sections are fed alike; they differ by their compliance.")
-             << tr("A point is one revolution, in long cycles several of them; closer, it is one "
-                   "radius under the wheel.");
+             << tr("A point is one revolution, in long cycles several of them; zoomed in, it is "
+                   "one radius under the wheel.");
     }
     text
         << tr("The spread reaches from the minimum to the maximum value over the radii of a "

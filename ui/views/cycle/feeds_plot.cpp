@@ -143,7 +143,7 @@ void FeedsPlot::setAxis(CycleAxis axis) {
     showTimes(visibleFrom_s(), visibleTo_s());
 }
 
-// --- what is in sight ---------------------------------------------------------------------------
+// --- visible range ------------------------------------------------------------------------------
 
 void FeedsPlot::showTimes(double from_s, double to_s) {
     if (m_chart.isEmpty() || !(to_s > from_s)) {

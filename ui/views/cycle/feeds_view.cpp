@@ -282,7 +282,7 @@ QString FeedsView::noticeText() const {
     QString text = PlotView::noticeText();
     if (isUnrecorded()) {
         text = tr("The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. "
-                  "Fewer radii or sections help; the verdict is of the whole cycle.")
+                  "Fewer radii or sections help; the verdict applies to the whole cycle.")
                    .arg(QLocale().toString(latest()->result.visits),
                         QLocale().toString(maxRecordedVisits));
     }
@@ -319,7 +319,7 @@ void FeedsView::showNote() {
     m_noteDialog->activateWindow();
 }
 
-// --- what is in sight ---------------------------------------------------------------------------
+// --- visible range ------------------------------------------------------------------------------
 
 void FeedsView::fillSpans() {
     const QSignalBlocker blocker(m_span);

@@ -94,7 +94,7 @@ private:
     LayerSeries m_series;
     QCPAxisRect* m_rect = nullptr;
     LayersDone m_done;
-    bool m_setting = false; ///< an axis moves the other one
+    bool m_setting = false; ///< true while one axis moves the other
 };
 
 } // namespace sparkout

@@ -91,7 +91,7 @@ QString LayersLook::values(const LayerSeries& series, const LayersDone& done, st
     const auto um = [](double value_mm) { return Names::micrometres(value_mm * units::umPerMm); };
     const QString radius = Names::signedMicrometres(
         (of.blank_mm - series.removalSign * after - series.target_mm) * units::umPerMm);
-    return tr("%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target")
+    return tr("%1, %2: removes %3 µm, %4 µm so far, radius %5 µm from target")
         .arg(spanName(series, span), Names::within(Names::zone(of.zone, of.section)),
              um(after - before), um(after), radius);
 }
@@ -293,7 +293,7 @@ double LayersPlot::above_um(double radius_mm) const {
     return (radius_mm - m_series.target_mm) * umPerMm;
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed layers ---------------------------------------------------------------------------
 
 LineChart LayersPlot::made() const {
     LineChart chart = partChart();
@@ -400,7 +400,7 @@ ChartTable LayersPlot::doneTable() const {
                  << tr("To double stroke or revolution");
     for (const LayerColumn& column : m_series.columns) {
         const QString name = Names::zone(column.zone, column.section);
-        table.header << tr("%1, taken off, µm").arg(name) << tr("%1, so far, µm").arg(name);
+        table.header << tr("%1, removed, µm").arg(name) << tr("%1, so far, µm").arg(name);
     }
     for (std::size_t i = 0; i < m_done.count; ++i) {
         const LayerSpan& span = m_series.spans[i];
@@ -599,7 +599,7 @@ void LayersView::nameParts() {
     m_side->setAccessibleName(tr("Wheel and part from the side, heights exaggerated"));
     m_side->setToolTip(tr("Heights are exaggerated. As in the model, a zone is ground during the "
                           "whole stroke; the whole deflection is drawn at the part."));
-    m_summary->setAccessibleName(tr("How much has come off"));
+    m_summary->setAccessibleName(tr("Accumulated removal"));
     fillChoice(*content(), {tr("Stacked layers"), tr("Surface"), tr("Wheel and part")});
     tell(*content(), tr("How the layers are drawn"));
     tell(*m_radius, tr("Radius whose layers are drawn"));

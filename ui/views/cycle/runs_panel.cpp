@@ -283,7 +283,7 @@ RunsModel::Run RunsPanel::presentRow() const {
     return row;
 }
 
-// --- what there is to say of a run --------------------------------------------------------------
+// --- state of a run -----------------------------------------------------------------------------
 
 const ReadSummary* RunsPanel::summaryOf(int run) const {
     return run >= 0 ? m_kept.summary(run) : m_present;
@@ -302,8 +302,8 @@ QString RunsPanel::detailOf(int run) const {
     const bool isComputed = run >= 0 && (m_kept.isChosen(run) || m_kept.surfaceOf(run).isEmpty());
     return run < 0 || (!now && !isComputed) ? time
            : !now                           ? time + u'\n' + tr("computing…")
-           : hasErrors(now->issues)         ? time + u'\n' + tr("refused now")
-           : m_kept.isChanged(run)          ? time + u'\n' + tr("differs now")
+           : hasErrors(now->issues)         ? time + u'\n' + tr("refused by this version")
+           : m_kept.isChanged(run)          ? time + u'\n' + tr("results differ")
                                             : time;
 }
 

@@ -215,7 +215,7 @@ LineChart SidePlot::made() const {
     using enum ChartSeries::Kind;
     chart.series = {
         {.key = wheelKey, .name = tr("wheel"), .kind = band, .colour = Drawn::wheel},
-        {.key = surfaceKey, .name = tr("surface, given way"), .pen = linePen(1)},
+        {.key = surfaceKey, .name = tr("surface under load"), .pen = linePen(1)},
         {.key = unloadedKey, .name = tr("without load"), .pen = linePen(1, Qt::DashLine)},
         {.key = fieldKey,
          .name = tr("tolerance band"),
@@ -263,7 +263,7 @@ QRectF SidePlot::wheelRect() const {
             QPointF(across().coordToPixel(m_scene.wheel.to_mm), std::max(edge, far))};
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed moment ---------------------------------------------------------------------------
 
 QColor SidePlot::colourOf(Key key) const {
     return style::dimmed(chartColour(chart().find(key)->colour, palette()), isDimmed());

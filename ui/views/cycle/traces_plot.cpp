@@ -134,7 +134,7 @@ ChartGrid TracesPlot::made() const {
 LineChart TracesPlot::chartOf(const Group& group) const {
     const TraceComparison& first = *group.front();
     const QString unit = unitText(unitOf(first.source)), beside = differenceUnit(first.source);
-    const QStringList names{tr("measured"), tr("simulated"), tr("measured less simulated")};
+    const QStringList names{tr("measured"), tr("simulated"), tr("measured minus simulated")};
     const QStringList groups{tr("measured"), tr("simulated"), tr("difference")};
     LineChart chart;
     chart.isFramed = true;
@@ -204,7 +204,7 @@ CsvTable TracesPlot::tableOf() const {
     table.byPlace = true;
     table.ownUnits = true;
     table.header = {tr("measured quantity"), m_timeLabel};
-    const QStringList names{tr("measured"), tr("simulated"), tr("measured less simulated")};
+    const QStringList names{tr("measured"), tr("simulated"), tr("measured minus simulated")};
     for (std::size_t i = 0; i < traceKeys.size(); ++i) {
         if (shows(traceKeys[i])) {
             table.header << names[static_cast<qsizetype>(i)];

@@ -461,7 +461,7 @@ LineChart CouplingCurves::chart() const {
     chart.series = {
         series(independentKey, tr("sections independent"), Drawn::independentSections, disc),
         series(coupledKey, tr("sections coupled"), Drawn::coupledSections, square),
-        series(differenceKey, tr("coupled less independent"), Drawn::couplingDifference, diamond)};
+        series(differenceKey, tr("coupled minus independent"), Drawn::couplingDifference, diamond)};
     for (std::size_t i = 0; i < m_comparison->differences_mm.size(); ++i) {
         const SectionResult& independent = m_comparison->independent.sections[i];
         const double values[] = {fromMiddle_um(independent),

@@ -198,14 +198,13 @@ QString ComplianceView::remark() const {
                    : QString();
     case ComplianceContent::gauge:
         if (project.gauge->control == Control::position) {
-            return tr("Stages end by the position of the wheel head: the gauge has no effect, "
-                      "wherever it is placed.");
+            return tr("Stages end by the position of the wheel head: the position of the gauge has "
+                      "no effect.");
         }
-        return project.operation->travels
-                   ? tr("In traverse grinding the gauge is in the middle of %1. The curves show "
-                        "its effect in another zone.")
-                         .arg(Names::zone(Zone::nz))
-                   : QString();
+        return project.operation->travels ? tr("In traverse grinding the gauge is in the middle of "
+                                               "%1. The curves show its effect in another zone.")
+                                                .arg(Names::zone(Zone::nz))
+                                          : QString();
     case ComplianceContent::coupling: break;
     }
     switch (couplingOf(project)) {
@@ -215,7 +214,7 @@ QString ComplianceView::remark() const {
     case CouplingAnswer::givenCompliance:
         return tr(
             "The compliance is given section by section, which does not determine how a force in "
-            "one section moves another. Choose “from stiffness and shaft” on the page Machine.");
+            "one section deflects another. Choose “from stiffness and shaft” on the page Machine.");
     case CouplingAnswer::comparable: break;
     }
     return {};
@@ -274,12 +273,12 @@ void ComplianceView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Compliance along the part"));
     m_summary->setAccessibleName(tr("Most compliant place"));
-    fillChoice(*m_content, {tr("Compliance along the part"), tr("Where to put the gauge"),
+    fillChoice(*m_content, {tr("Compliance along the part"), tr("Position of the gauge"),
                             tr("Coupled against independent sections")});
     tell(*m_content, tr("Curves below the part"));
     m_put->setText(tr("Put the gauge there"));
     m_put->setAccessibleName(m_put->text());
-    m_put->setToolTip(tr("Make the best place the gauge's free position; can be undone"));
+    m_put->setToolTip(tr("Sets the gauge's free position to the best place; can be undone"));
 }
 
 QString ComplianceView::hint() const {

@@ -4,7 +4,7 @@
 #include "core/process/system_compliance.h"
 #include "core/project/part.h"
 #include "core/quality/diameter_shares.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 #include "ui/chart/quantity_colour.h"
 #include "ui/measured/measured_boxes.h"
@@ -85,7 +85,7 @@ QString OverviewCharts::title(OverviewChart chart) {
     switch (chart) {
     case OverviewChart::times: return tr("Time by stage and step");
     case OverviewChart::stock: return tr("Removed by stage and step");
-    case OverviewChart::diameters: return tr("Make-up of the diameter deviations");
+    case OverviewChart::diameters: return tr("Components of the diameter deviations");
     case OverviewChart::requirements: return tr("Limits used up");
     case OverviewChart::boxes: return tr("Batch: mean diameters");
     case OverviewChart::parts: return tr("Batch: good and rejected parts");
@@ -123,9 +123,8 @@ std::vector<std::size_t> OverviewCharts::stagesShown(const Outcome& outcome) {
 
 QString OverviewCharts::stagesRemark(const Outcome& outcome) {
     const std::size_t all = outcome.result.timeByStage_s.size();
-    return all > mostStages
-               ? tr("%1 of %2 stages: those that take the longest.").arg(mostStages).arg(all)
-               : QString();
+    return all > mostStages ? tr("%1 of %2 stages: the longest ones.").arg(mostStages).arg(all)
+                            : QString();
 }
 
 BarChart OverviewCharts::times(const Outcome& outcome) {
@@ -435,8 +434,8 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     chart.secondOf = tr("Requirement");
     chart.fitTimeUnit();
     const int shown = static_cast<int>(runs.size()) - 1;
-    QStringList remarks{tr("Margin: that of the requirement nearest to its limit of those that are "
-                           "decided, below 0 where one fails.")};
+    QStringList remarks{
+        tr("Margin of the decided requirement nearest to its limit; below 0 if one is not met.")};
     if (shown < kept) {
         remarks
             << tr("The current run and the newest %1 of the %2 kept runs.").arg(shown).arg(kept);

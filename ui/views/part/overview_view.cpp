@@ -296,7 +296,7 @@ void OverviewView::recolour() {
     arrange();
 }
 
-// --- what is drawn ------------------------------------------------------------------------------
+// --- displayed charts ---------------------------------------------------------------------------
 
 void OverviewView::takeOutcome(const OutcomePtr&) {
     showCycle();

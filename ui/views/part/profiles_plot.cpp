@@ -477,7 +477,7 @@ QString ProfilesPlot::numbersOf(std::size_t cell, bool brief) const {
            + (zone ? ProfilesText::roundness(*zone, brief,
                                              m_series.knowsRoundness || isMeasured(cell),
                                              m_series.knowsEccentricity || isMeasured(cell))
-                   : tr("no circle is held"));
+                   : tr("the circle does not exist"));
 }
 
 QString ProfilesPlot::describeMeasured() const {

@@ -267,7 +267,7 @@ void ProfilesView::showMeasured(std::optional<MeasuredSection> measured) {
     replotAll();
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed profiles -------------------------------------------------------------------------
 
 void ProfilesView::takeOutcome(const OutcomePtr& before) {
     if (hasOtherPlaces(before)) {
@@ -446,7 +446,7 @@ void ProfilesView::showSection(int section) {
     }
 }
 
-// --- what the user chooses ----------------------------------------------------------------------
+// --- choices of the user ------------------------------------------------------------------------
 
 std::vector<int> ProfilesView::shownProfiles() const {
     const SimulationResult& result = good()->result;
@@ -601,12 +601,12 @@ void ProfilesView::nameParts() {
     m_toScale->setText(tr("To scale"));
     m_logarithmic->setText(tr("Logarithmic"));
     tell(*m_parts, tr("Displayed content"));
-    tell(*m_section, tr("Zone or section to look at"));
+    tell(*m_section, tr("Zone or section to show"));
     tell(*m_alone, tr("Only the chosen section, large"));
     tell(*m_magnification, tr("Magnification of the deviations, the same for all; "
                               "×1 is the true shape"));
-    tell(*m_reference, tr("Radius the deviations are counted from: the target shows size and "
-                          "form, the own mean shows form alone"));
+    tell(*m_reference, tr("Radius from which deviations are measured: the target shows size and "
+                          "form, the own mean shows only form"));
     tell(*m_logarithmic, tr("Amplitudes on a logarithmic axis"));
     tell(*m_blank, tr("The profile before the first touch"));
     tell(*m_fit, tr("Show all in both plots; in one of them: Home, or a double click in it. "
@@ -615,7 +615,7 @@ void ProfilesView::nameParts() {
     tell(*m_next, tr("Next"));
     tell(*m_quantity, tr("Along the axis: deviations of radii from the target, or of diameters "
                          "from nominal"));
-    tell(*m_toScale, tr("The part along its axis with nothing exaggerated"));
+    tell(*m_toScale, tr("The part along its axis without exaggeration"));
     m_slider->setAccessibleName(tr("Moment of the cycle"));
     m_number->setAccessibleName(tr("Moment of the cycle"));
     m_number->setSpecialValueText(tr("blank", "before the first stroke"));

@@ -379,11 +379,11 @@ bool ConstraintsView::drawn() const {
 QString ConstraintsView::remark() const {
     if (!drawn()) {
         return tr("The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or "
-                  "sections help; the requirements below are of the whole cycle.");
+                  "sections help; the requirements below apply to the whole cycle.");
     }
     if (!limitsFeed(good()->limits)) {
-        return tr("No limit of the feed is on, so any feed is allowed: enter the burn limit "
-                  "of the material, or the power of a drive. The links below lead to the fields.");
+        return tr("No limit of the feed is active, so any feed is allowed: enter the burn limit of "
+                  "the material, or the power of a drive. The links below lead to the fields.");
     }
     if (good()->result.status != RunStatus::completed) {
         return Names::status(good()->result.status);
@@ -412,7 +412,7 @@ void ConstraintsView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Actual feed under its limits"));
     m_off->setAccessibleName(tr("Requirements that are not checked"));
-    m_table->setAccessibleName(tr("Requirements by how much of their limit they use up"));
+    m_table->setAccessibleName(tr("Requirements by the used share of their limit"));
     m_sheet->setAccessibleName(tr("Origin of the value"));
     m_logarithmic->setText(tr("Logarithmic"));
     m_places->setText(tr("Every place"));
@@ -423,9 +423,9 @@ void ConstraintsView::nameParts() {
                      "width of cut depends on whether the wheel stands or travels."));
     tell(*m_logarithmic,
          tr("Actual feeds on a logarithmic axis: spark-out and distant limits in one plot"));
-    tell(*m_places, tr("Every zone, section and stage; else the worst of each requirement"));
-    tell(*m_goTo, tr("To the passes, the profile or the field behind the requirement; also Enter "
-                     "or a double click on its row"));
+    tell(*m_places, tr("Every zone, section and stage; otherwise the worst of each requirement"));
+    tell(*m_goTo, tr("Goes to the passes, the profile or the field behind the requirement; also "
+                     "Enter or a double click on its row"));
     m_model->retranslate();
     m_model->setIcons(lightIcons(*m_table, false));
     fillGroups();

@@ -349,7 +349,7 @@ void VerdictPanel::retranslate() {
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
     m_stocks->setAccessibleName(tr("Verdict over the stocks"));
     m_batch->setAccessibleName(tr("Verdict on the batch"));
-    m_partOnly->setAccessibleName(tr("What the table is of"));
+    m_partOnly->setAccessibleName(tr("Scope of the table"));
     m_why->setAccessibleName(tr("Where the value comes from"));
     m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));

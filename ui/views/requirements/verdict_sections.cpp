@@ -218,8 +218,8 @@ void ShopSection::showTable() {
 }
 
 void ShopSection::retranslate() {
-    m_title->setText(tr("Grinding figures by stage"));
-    m_table->setAccessibleName(tr("Grinding figures by stage"));
+    m_title->setText(tr("Grinding quantities by stage"));
+    m_table->setAccessibleName(tr("Grinding quantities by stage"));
     m_remarks->setAccessibleName(tr("Values outside the usual range"));
     m_table->retranslate();
     showTable();

@@ -136,7 +136,7 @@ CsvTable BatchCharts::histogramsTable(const BatchSummary& summary) {
     return table;
 }
 
-// --- why parts fail -----------------------------------------------------------------------------
+// --- causes of rejects --------------------------------------------------------------------------
 
 CsvTable BatchCharts::rejectsTable(const BatchSummary& summary) {
     CsvTable table;

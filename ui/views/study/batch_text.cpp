@@ -348,11 +348,11 @@ QString BatchText::decision(const BatchOutcome& outcome) {
     switch (verdict.reason) {
     case BatchReason::noPart: return tr("no part was run");
     case BatchReason::partsFail:
-        return verdict.limit > 0 ? tr("%1 % of the parts are not good, more than the allowed %2 %")
+        return verdict.limit > 0 ? tr("%1 % of the parts are rejected, more than the allowed %2 %")
                                        .arg(percent(verdict.value), limitPercent())
                                  : tr("not every part is good");
     case BatchReason::someFail:
-        return tr("%1 % of the parts are not good, no more than the allowed %2 %")
+        return tr("%1 % of the parts are rejected, no more than the allowed %2 %")
             .arg(percent(verdict.value), limitPercent());
     case BatchReason::stopped: return tr("not all parts of the batch were run");
     case BatchReason::noSample:

@@ -57,7 +57,7 @@ PartTable::Dialect dialectOfParts(TableFormat format) {
 
 std::vector<std::string> headOfParts(const PartColumns& columns) {
     QStringList names{PartRows::tr("Part"), PartRows::tr("State"), PartRows::tr("Good"),
-                      PartRows::tr("Minimum margin, of its limit")};
+                      PartRows::tr("Minimum margin, relative to its limit")};
     for (const GivenFactor& factor : columns.factors) {
         names << BatchText::factorAxis(factor);
     }
@@ -542,17 +542,17 @@ void BatchView::nameParts() {
     m_pareto->setAccessibleName(tr("Rejects by cause, the most frequent first"));
     m_bar->state()->setAccessibleName(tr("Extent of the run"));
     m_bar->progress()->setAccessibleName(tr("Progress of the batch"));
-    m_table->setAccessibleName(tr("Figures of the batch"));
+    m_table->setAccessibleName(tr("Quantities of the batch"));
     fillChoice(*content(),
                {tr("Histograms"), tr("Sensitivity"), tr("Scatter"), tr("Rejects by cause")});
     fillChoice(*m_weights, {tr("Rank regression"), tr("Sobol indices")});
-    m_weights->setAccessibleName(tr("How the weight of a factor is expressed"));
+    m_weights->setAccessibleName(tr("Measure of a factor's influence"));
     m_weights->setToolTip(
         tr("Rank regression: standardised coefficients from the parts of the batch; sign and "
            "weight are valid as far as the dependence is monotone, which R² shows. Sobol indices: "
            "shares of the variance, from additional parts."));
-    tell(*m_across, tr("Quantity across"));
-    tell(*m_up, tr("Quantity upwards"));
+    tell(*m_across, tr("Quantity on the horizontal axis"));
+    tell(*m_up, tr("Quantity on the vertical axis"));
     tell(*content(), tr("Displayed results of the batch"));
     tell(*m_name, tr("Characteristic"));
     nameButtons();

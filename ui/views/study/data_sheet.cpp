@@ -97,7 +97,7 @@ bool DataModel::isEditable(const Field& column) const {
     return m_which != List::traces || isOneOf(column, {"place", "factor_kw_per_a", "idle", "note"});
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed data -----------------------------------------------------------------------------
 
 QString DataModel::valueShown(const QModelIndex& index) const {
     const Field& column = field(index);

@@ -41,22 +41,21 @@ ValueHead timeHead(const TimeUnit& unit) {
 ValueHead changeHead() {
     return {.text = FoundTable::tr("Against\nyours, %"),
             .name = FoundTable::tr("Against yours, %"),
-            .tip =
-                FoundTable::tr("Against the time of your cycle: the current one, or the one that "
-                               "a cycle found took the place of"),
+            .tip = FoundTable::tr("Compared with the time of your cycle: the current one, or the "
+                                  "one that a found cycle replaced"),
             .key = "change"};
 }
 
 ValueHead marginHead() {
     return {.text = FoundTable::tr("Margin, %"),
-            .tip = FoundTable::tr("The minimum margin of all requirements, of its limit"),
+            .tip = FoundTable::tr("The minimum margin of all requirements, relative to its limit"),
             .key = "margin"};
 }
 
 void addWearHeads(std::vector<ValueHead>& heads) {
     heads.push_back(
         {.text = FoundTable::tr("Parts"),
-         .tip = FoundTable::tr("Parts from one dressing to the next that it is fit for"),
+         .tip = FoundTable::tr("Parts from one dressing to the next for which it is fit"),
          .key = "parts"});
     heads.push_back({.text = FoundTable::tr("Cost"),
                      .tip = FoundTable::tr("Cost of a part with its share of the dressing"),
@@ -75,7 +74,7 @@ std::vector<ValueHead> headsOf(const SearchOutcome& outcome, const TimeUnit& uni
          .key = "stages"},
         changeHead(),
         {.text = FoundTable::tr("Excess, %"),
-         .tip = FoundTable::tr("By how much a stepless cycle might at most be quicker"),
+         .tip = FoundTable::tr("Maximum time by which a stepless cycle might be quicker"),
          .key = "gap"},
         marginHead()};
     if (outcome.wear) {
@@ -97,9 +96,9 @@ QString kindOf(const SearchOutcome& outcome, const FoundCycle& found) {
                             : FoundTable::tr("The cheapest of its number of stages");
     }
     if (outcome.wear) {
-        return found.isBest
-                   ? FoundTable::tr("The one of the grid that keeps the wheel longest")
-                   : FoundTable::tr("The one of its number of stages that keeps the wheel longest");
+        return found.isBest ? FoundTable::tr("The cycle of the grid with the longest wheel life")
+                            : FoundTable::tr(
+                                "The cycle of its number of stages with the longest wheel life");
     }
     if (found.isBest) {
         return FoundTable::tr("The quickest of the grid");
@@ -250,7 +249,7 @@ QString briefProof(const SearchOutcome& outcome) {
 
 void addWearBasis(const FoundCycle& best, Basis& basis) {
     if (!best.held) {
-        const QString unknown = FoundTable::tr("how the wheel wears is not given");
+        const QString unknown = FoundTable::tr("the wear of the wheel is not given");
         basis.add(unknown, unknown);
         return;
     }
@@ -258,7 +257,7 @@ void addWearBasis(const FoundCycle& best, Basis& basis) {
         << FoundTable::tr("%1 a part on average").arg(OptimiseText::time(best.held->meanTime_s));
     if (best.held->end) {
         const QString end =
-            FoundTable::tr("the next part breaks: %1").arg(requirementText(*best.held->end));
+            FoundTable::tr("the next part does not meet: %1").arg(requirementText(*best.held->end));
         basis.add(end, end);
     } else if (!best.held->isEndless && !best.held->isAll) {
         const QString end = FoundTable::tr("the next part does not reach its size");
@@ -339,8 +338,8 @@ QStringList limitBasis(const SearchOutcome& outcome) {
                       : FoundTable::tr("no continuous infeed"));
     }
     if (!outcome.searched.operation->travels) {
-        basis << (cycles.drawBack ? FoundTable::tr("the wheel head may draw back")
-                                  : FoundTable::tr("the wheel head never draws back"));
+        basis << (cycles.drawBack ? FoundTable::tr("the wheel head may retract")
+                                  : FoundTable::tr("the wheel head never retracts"));
     }
     basis << (cycles.sparkOut ? FoundTable::tr("ends at size or by a count of steps without feed")
                               : FoundTable::tr("ends at size"));
@@ -385,7 +384,7 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
         const double nominal_s = outcome.robust->nominalTime_s;
         rows.push_back(
             {.key = "nominal",
-             .name = FoundTable::tr("Nominal part alone"),
+             .name = FoundTable::tr("Nominal part only"),
              .time_s = nominal_s,
              .basis = {.full = {FoundTable::tr("robustness costs %1 % of time")
                                     .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}}});
@@ -404,7 +403,7 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
         rows.push_back(foundRow(outcome, *refined,
                                 {.key = "refined",
                                  .name = between,
-                                 .basis = {{FoundTable::tr("that none is quicker is not proved")},
+                                 .basis = {{FoundTable::tr("not proved to be the quickest")},
                                            {FoundTable::tr("not proved")}}}));
     } else if (outcome.refinement) {
         rows.push_back({.key = "refined",

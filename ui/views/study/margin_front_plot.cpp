@@ -62,7 +62,7 @@ BarChart StageCountPlot::makeChart() const {
     return chart;
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed cycles ---------------------------------------------------------------------------
 
 CsvTable StageCountPlot::table() const {
     return tableOf(m_outcome ? *m_outcome : SearchOutcome());

@@ -372,7 +372,7 @@ QString MeasuredView::remark() const {
     return good()->result.project.batch
                ? QString()
                : tr("This project describes no batch, so the prediction is one part without "
-                    "scatter. Choose on the page Batch of the inputs what scatters.");
+                    "scatter. Choose the scattering factors on the page Batch of the inputs.");
 }
 
 QStringList MeasuredView::subheading() const {
@@ -399,7 +399,7 @@ void MeasuredView::nameParts() {
     tellButton(*m_paste, tr("Paste…"),
                tr("Read a table that was copied from a spreadsheet (Ctrl+V)"));
     tellButton(*m_calibrate, tr("Calibrate…"),
-               tr("Fit compliance, force and wheel to what was measured"));
+               tr("Fit compliance, force and wheel to the measurements"));
     tellButton(*m_start, tr("Import measurements…"),
                tr("Read a table of measured parts or of traces from a file"));
     for (DataSheet* sheet : m_data) {

@@ -97,20 +97,20 @@ QString OptimiseText::method(SearchMethod method) {
 QString OptimiseText::methodHint(SearchMethod method) {
     switch (method) {
     case SearchMethod::pruned:
-        return tr("Proves from few runs that no cycle of the grid is better: what cannot be fit or "
-                  "quicker is not run");
+        return tr("Proves from few runs that no cycle of the grid is better: cycles that cannot be "
+                  "fit or quicker are not run");
     case SearchMethod::full:
         return tr("Runs every cycle of the grid, and proves the same answer without pruning. A "
                   "large grid takes hours or days; for the minimum time and the maximum margin it "
                   "can be stopped and continued");
     case SearchMethod::published:
-        return tr("A heuristic for plunge grinding, as published: of all ways to a level of stock "
+        return tr("A heuristic for plunge grinding, as published: of all paths to a level of stock "
                   "with a feed only the quickest is kept. It is quick, but proves nothing and may "
-                  "find no cycle where there is one");
+                  "find no cycle although one exists");
     case SearchMethod::labels:
-        return tr("A heuristic for plunge grinding: all ways to a level of stock are kept that no "
+        return tr("A heuristic for plunge grinding: all paths to a level of stock are kept that no "
                   "other beats in both time and stored deflection. It takes longer with many "
-                  "levels, proves nothing and may find no cycle where there is one");
+                  "levels, proves nothing and may find no cycle although one exists");
     }
     return {};
 }
@@ -147,9 +147,8 @@ QString OptimiseText::notes(const SearchOutcome& outcome) {
 
 QString OptimiseText::offer(SearchObjective objective) {
     return objective == SearchObjective::cost
-               ? tr(
-                   "“Search” finds the cycle of the grid with the minimum cost of a part, together "
-                   "with the parts between dressings: it is fit for all of them.")
+               ? tr("“Search” finds the cycle of the grid with the minimum cost of a part, "
+                    "together with the parts between dressings: it is fit for all of them.")
                : tr("“Search” finds the cycle of the grid that is fit for the most parts from one "
                     "dressing to the next, the quickest of these.");
 }
@@ -192,10 +191,9 @@ QString OptimiseText::found(const FoundCycle& found, const Project& searched) {
 }
 
 QString OptimiseText::cycleHint(Operation operation) {
-    return operation->axial()
-               ? tr("Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock "
-                    "per side, mm")
-               : tr("Of every stage: radial feed, mm/min; stock per side, mm");
+    return operation->axial() ? tr("Of every stage: radial feed, mm per double stroke; axial feed, "
+                                   "mm/min; stock per side, mm")
+                              : tr("Of every stage: radial feed, mm/min; stock per side, mm");
 }
 
 } // namespace sparkout

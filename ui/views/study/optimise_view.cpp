@@ -276,7 +276,7 @@ void OptimiseView::runSearch() {
     showState();
 }
 
-/// An answer can be chosen and taken during the search for the margins by time.
+/// An answer can be chosen and applied during the search for the margins by time.
 void OptimiseView::takeSearch() {
     if (m_goesOn) {
         addToAnswer();
@@ -386,7 +386,7 @@ void OptimiseView::takeCycle() {
         // Unchanged if the search has been edited meanwhile.
         return sameSearch(searched, project) ? withFound(std::move(project), found) : project;
     };
-    emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the cycle found")});
+    emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the cycle found")});
 }
 
 // --- showing ------------------------------------------------------------------------------------
@@ -536,12 +536,11 @@ QString OptimiseView::hint() const {
                                  : QString();
     }
     if (&front() == m_margins) {
-        return !isFound() ? QString()
-               : m_margins->hasFront()
-                   ? tr("A click or the arrow keys choose a cycle, “Apply this cycle” or Enter "
-                        "applies it.")
-                         + u' ' + OptimiseText::front(*search())
-                   : OptimiseText::front(*search());
+        return !isFound()              ? QString()
+               : m_margins->hasFront() ? tr("A click or the arrow keys choose a cycle, “Apply this "
+                                            "cycle” or Enter applies it.")
+                                             + u' ' + OptimiseText::front(*search())
+                                       : OptimiseText::front(*search());
     }
     return &front() == m_curves
                ? tr("Point at a curve to read its values beside those of your cycle.")
@@ -551,19 +550,18 @@ QString OptimiseView::hint() const {
 QString OptimiseView::keptText() const {
     if (showsGrid()) {
         return m_grid->outcome()
-                   ? tr("The inputs are refused; the grid is that of the last accepted ones.")
+                   ? tr("The inputs are refused; the grid is that of the last valid inputs.")
                    : refusedText();
     }
-    return search() ? tr("The inputs are refused; the search is that of the last accepted ones.")
+    return search() ? tr("The inputs are refused; the search is that of the last valid inputs.")
                     : refusedText();
 }
 
 QString OptimiseView::remark() const {
     if (!isGiven()) {
-        return tr("This project does not say what may be changed. A search takes every listed feed "
-                  "and stock of the stages and finds the quickest cycle that meets every "
-                  "requirement. Choose them on the page Search of the inputs, or start with usual "
-                  "ones.");
+        return tr("This project defines no search. A search tries every listed feed and stock of "
+                  "the stages and finds the quickest cycle that meets every requirement. Choose "
+                  "them on the page Search of the inputs, or start with typical ones.");
     }
     if (showsGrid()) {
         return m_gridBar->remark();
@@ -613,7 +611,7 @@ void OptimiseView::nameParts() {
     m_grid->setAccessibleName(tr("Grid of dynamic programming"));
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
-    m_answerTable->setAccessibleName(tr("The answer and what it is compared with"));
+    m_answerTable->setAccessibleName(tr("The answer and the compared cycles"));
     m_table->setAccessibleName(tr("The best cycles found"));
     fillChoice(*content(), {tr("Before and after"), tr("Time by stages"), tr("Margin by time"),
                             OptimiseText::method(SearchMethod::published)});
@@ -646,21 +644,22 @@ void OptimiseView::nameRun() {
 }
 
 void OptimiseView::nameButtons() {
-    tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
+    tellButton(*m_bar->stop(), tr("Stop"),
+               tr("Stop the search; the best so far is kept and shown"));
     tellButton(*m_take, tr("Apply this cycle"),
-               tr("Put the chosen cycle in the place of the current one; undo brings yours back"));
+               tr("Replaces the current cycle with the chosen one; undo restores yours"));
     tellButton(*m_phases, tr("For every stock"),
-               tr("The cycle must be fit for stocks spread over one feed step of every stage too: "
-                  "where the last step falls decides on the size"));
-    tellButton(*m_refine, tr("Between levels"),
-               tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
-                  "steps: every cycle is run in full, but that none is quicker is not proved"));
+               tr("The cycle must also be fit for stocks spread over one feed step of every stage: "
+                  "the size depends on the position of the last step"));
     tellButton(
-        *m_add, tr("Add a typical search"),
-        tr("Levels of each feed about the current cycle in steps of the machine, stocks, "
-           "spark-out, and the usual minimum overlap and steps of a stage where none are given; "
-           "the answer is good for the batch, without one for every stock; can be undone and "
-           "changed on the pages Search and Cycle"));
+        *m_refine, tr("Between levels"),
+        tr("Continue from the quickest cycle between the levels of the grid, in the machine's "
+           "steps: every cycle is run in full, but the result is not proved to be the quickest"));
+    tellButton(*m_add, tr("Add a typical search"),
+               tr("Levels of each feed about the current cycle in steps of the machine, stocks, "
+                  "spark-out, and the usual minimum overlap and steps of a stage where none are "
+                  "given; the answer is fit for the batch, or without one for every stock; can be "
+                  "undone and changed on the pages Search and Cycle"));
 }
 
 } // namespace sparkout

@@ -244,7 +244,7 @@ LineChart PhaseChart::of(const PhaseOutcomePtr& phases) {
                     .alpha = phaseFieldAlpha,
                     .sight = InSight::always}};
     ChartZone failing{.key = failsKey,
-                      .name = tr("stocks that fail"),
+                      .name = tr("unfit stocks"),
                       .colour = Drawn::fails,
                       .alpha = failingAlpha,
                       .hatch = Hatch::rising};

@@ -93,7 +93,7 @@ double SensitivityPlot::weight(std::size_t place, std::size_t factor) const {
     return m_bars[place].outer[factor];
 }
 
-// --- what is shown ------------------------------------------------------------------------------
+// --- displayed influences -----------------------------------------------------------------------
 
 QString SensitivityPlot::placeName(const Bars& bars) const {
     return BatchText::where(m_outcome->summary.characteristics[bars.characteristic].characteristic);

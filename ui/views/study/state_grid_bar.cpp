@@ -305,21 +305,21 @@ void StateGridBar::retranslate() {
     };
     m_levels->setPrefix(tr("levels "));
     m_stages->setPrefix(tr("stages ≤ "));
-    name(*m_levels, tr("Levels that the stock is divided into"));
+    name(*m_levels, tr("Number of levels of the stock"));
     name(*m_stages, tr("Stages that a cycle of the grid may have, within the gauge's commands"));
     m_bar->run()->setText(tr("Run"));
-    name(*m_bar->run(), tr("Fill the grid and have the answer proved; that runs by itself after "
-                           "an edit"));
+    name(*m_bar->run(),
+         tr("Fill the grid and prove the answer; this also starts by itself after an edit"));
     m_bar->stop()->setText(tr("Stop"));
-    name(*m_bar->stop(), tr("End the run; what is known is kept"));
+    name(*m_bar->stop(), tr("Stop the run; the results so far are kept"));
     m_bar->state()->setAccessibleName(tr("State of the filling"));
     m_bar->progress()->setAccessibleName(tr("Progress of the grid and its proof"));
     name(*m_first, tr("To the blank"));
     name(*m_previous, tr("One state back"));
     name(*m_next, tr("The next state"));
     name(*m_end, tr("To the end of the backtracking"));
-    name(*m_slider, tr("State that is looked at"));
-    m_place->setAccessibleName(tr("Number of the state looked at"));
+    name(*m_slider, tr("State shown"));
+    m_place->setAccessibleName(tr("Number of the state shown"));
     showMoment();
 }
 

@@ -89,7 +89,7 @@ QColor StateGridLayer::failing() const {
     return m_plot.toned(Drawn::fails);
 }
 
-// --- where and what -----------------------------------------------------------------------------
+// --- places and contents of the cells -----------------------------------------------------------
 
 QRectF StateGridLayer::boxAt(double level, double feed) const {
     return QRectF(m_plot.pixelOf({level - cellWidth / 2, feed - cellHeight / 2}),
@@ -346,7 +346,7 @@ LineChart StateGridPlot::made() const {
     chart.across = {
         .label = tr("Stock left per side, mm"), .room = 0, .hasGrid = false, .ticker = m_levels};
     // In two lines: one is longer than the axis of a small window.
-    chart.up = {.label = axial ? tr("m: radial feed, mm/dbl stroke\naxial feed, mm/min")
+    chart.up = {.label = axial ? tr("m: radial feed, mm/double stroke\naxial feed, mm/min")
                                : tr("m: radial feed, mm/min"),
                 .room = 0,
                 .hasGrid = false,
@@ -455,7 +455,7 @@ CsvTable StateGridPlot::table() const {
         table.header << tr("Axial feed, mm/min");
     }
     table.header << unit.titled(QStringLiteral("T")) << tr("m*") << tr("Moves struck out")
-                 << tr("Where the rule is wrong");
+                 << tr("States in which the rule is wrong");
     for (int n = 1; n <= grid.size.levels; ++n) {
         for (std::size_t m = 0; m < grid.feeds.size(); ++m) {
             const GridState& state = grid.state(n, m);

@@ -88,7 +88,7 @@ QString StateGridText::fault(StateGridFault fault) {
     case StateGridFault::noFeeds:
         return tr("The search lists no feeds for this grid. Add them on the page Search.");
     case StateGridFault::positionControl:
-        return tr("The levels of stock are gauged: the grid is of cycles under gauge control. "
+        return tr("The levels of stock are gauged: the grid covers cycles under gauge control. "
                   "This project is under position control; the page Gauge changes that.");
     }
     return {};
@@ -180,9 +180,9 @@ QString StateGridText::wrong(const StateDifference& fault) {
             .arg(time(fault.reached_s));
     case WrongState::misleads: break;
     }
-    const QString kept = tr("the way kept is not the one to go on from: the proven cycle reaches "
-                            "it after %1 and goes on; the way kept, with the same feeds from "
-                            "here on, %2");
+    const QString kept =
+        tr("the kept path is the wrong one to continue: the proven cycle reaches the state after "
+           "%1 and continues; the kept path, with the same feeds from here on, %2");
     QString comes = tr("does not reach the size");
     if (fault.breaks) {
         comes = tr("breaks: %1").arg(Names::inSentence(Names::constraint(*fault.breaks)));
@@ -195,7 +195,7 @@ QString StateGridText::wrong(const StateDifference& fault) {
 QString StateGridText::faults(const StateGrid& grid, const ExactAnswer& exact) {
     if (!exact.faults.empty()) {
         const StateDifference& first = exact.faults.front();
-        return tr("The rule goes wrong in %n state(s), first in %1: %2.", nullptr,
+        return tr("The rule fails in %n state(s), first in %1: %2.", nullptr,
                   static_cast<int>(exact.faults.size()))
             .arg(state(first.level, first.feed), wrong(first));
     }
@@ -203,7 +203,7 @@ QString StateGridText::faults(const StateGrid& grid, const ExactAnswer& exact) {
         return {};
     }
     return grid.time_s ? tr("The rule is right on this grid.")
-                       : tr("The rule is right: there is none to find.");
+                       : tr("The rule is right: there is no cycle to find.");
 }
 
 QString StateGridText::answer(const StateGrid& grid, const std::optional<ExactAnswer>& exact) {

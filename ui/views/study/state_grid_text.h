@@ -24,7 +24,7 @@ struct StateGridOutcome {
 
 using StateGridOutcomePtr = std::shared_ptr<const StateGridOutcome>;
 
-/// The parts that the progress of a proof is counted in.
+/// The units in which the progress of a proof is counted.
 inline constexpr std::int64_t gridProofParts = 1000;
 
 /// Null after a stop.

@@ -286,7 +286,7 @@ void SweepView::takeValues() {
     if (sweep() && m_shown.chosen) {
         edit([from = sweep(), point = *m_shown.chosen](
                  Project project) { return withPoint(std::move(project), *from, point); },
-             {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the values of a point of the sweep")});
+             {"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the values of a point of the sweep")});
     }
 }
 
@@ -430,10 +430,9 @@ QString SweepView::remark() const {
         return m_phaseBar->remark();
     }
     if (!good()->result.project.sweep) {
-        return tr(
-            "What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input "
-            "above, and see every result over a range of it: one input gives curves, two give "
-            "a map. Or start with the wheel's dullness.");
+        return tr("What is the effect of a dull wheel, a soft tailstock, a longer dwell? Choose an "
+                  "input above to see every result over its range: one input gives curves, two "
+                  "give a map. Or start with the wheel's dullness.");
     }
     if (!m_refused.empty()) {
         return tr("The sweep cannot be run:") + QLatin1Char('\n') + Names::refusal(m_refused, 2);
@@ -483,7 +482,7 @@ void SweepView::nameParts() {
     tell(*m_side, tr("Values or margins"),
          tr("The values, or their distances from the limits: above 0 the requirement is met"));
     tell(*m_point, tr("Point chosen"),
-         tr("The point whose values can be taken; a click in the plot chooses one, too"));
+         tr("The point whose values can be applied; a click in the plot chooses one, too"));
     fillChoice(*m_subject, {tr("Inputs varied"), tr("Size against stock")});
     fillChoice(*m_side, {tr("Values"), tr("Margins")});
     m_point->setPrefix(tr("point "));
@@ -504,7 +503,7 @@ void SweepView::nameButtons() {
                tr("Stop the sweep; the completed points are kept and shown"));
     tellButton(*m_add, tr("Vary the dullness"),
                tr("A sweep of the wheel's dullness from half to twice its value; can be undone"));
-    m_take->setText(tr("Take these values"));
+    m_take->setText(tr("Apply these values"));
     tellButton(*m_takeButton, m_take->text(),
                tr("Use the inputs of the chosen point in this project; Undo restores the previous "
                   "inputs"));

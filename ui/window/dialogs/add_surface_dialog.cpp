@@ -208,7 +208,7 @@ void AddSurfaceDialog::follow() {
     m_wheel->setText(wheelText());
     const bool isFree = m_isFree(m_name->text());
     m_buttons->acceptButton()->setEnabled(isFree);
-    m_name->setToolTip(isFree ? QString() : tr("Each surface has a name of its own."));
+    m_name->setToolTip(isFree ? QString() : tr("Each surface needs its own name."));
 }
 
 /// The part's wheel and, if the required Ra is known, which one would suit it better.

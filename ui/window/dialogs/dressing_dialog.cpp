@@ -43,10 +43,10 @@ DressingDialog::DressingDialog(Setup setup, QWidget* parent)
     , m_result(new QLabel(this)) {
     setWindowTitle(tr("Parts between dressings"));
     setHelpTopic(*this, QStringLiteral("surfaces#dressing"));
-    auto* cases = new QLabel(tr("&Each part holds for:"), this);
+    auto* cases = new QLabel(tr("&Each part must be fit for:"), this);
     cases->setBuddy(m_cases);
     m_cases->setObjectName(QStringLiteral("dressingCases"));
-    m_cases->addItem(tr("the part as it stands"));
+    m_cases->addItem(tr("the part as stated"));
     m_cases->addItem(tr("all corners of the batches"), static_cast<int>(Scenarios::corners));
     m_cases->addItem(tr("parts of the batches"), static_cast<int>(Scenarios::latin_hypercube));
     m_cases->setEnabled(std::ranges::any_of(m_setup.surfaces, [](const GroundSurface& surface) {

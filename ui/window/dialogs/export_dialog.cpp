@@ -136,19 +136,18 @@ QString ExportDialog::note(const ExportChoice& choice) const {
     const QString rows = QLocale().toString(static_cast<qulonglong>(traceRows(*m_outcome)));
     switch (choice.format) {
     case ExportFormat::json:
-        return tr("The object that the command line prints of a run; its keys are the same in "
+        return tr("The object that the command line prints for a run; its keys are the same in "
                   "every language.");
     case ExportFormat::xlsx:
-        return choice.hasTrace()
-                   ? tr("Every part on sheets of its own; the trace has %1 rows on %2 "
-                        "sheets, a row for every time a radius passed the wheel.")
-                         .arg(rows)
-                         .arg(m_outcome->result.sections.size())
-                   : tr("Every part on a sheet of its own.");
+        return choice.hasTrace() ? tr("Every part on separate sheets; the trace has %1 rows on %2 "
+                                      "sheets, a row for every pass of a radius under the wheel.")
+                                       .arg(rows)
+                                       .arg(m_outcome->result.sections.size())
+                                 : tr("Every part on a separate sheet.");
     default: break;
     }
     return choice.hasTrace()
-               ? tr("One table; it has %1 rows, a row for every time a radius passed the wheel.")
+               ? tr("One table; it has %1 rows, a row for every pass of a radius under the wheel.")
                      .arg(rows)
                : tr("One table.");
 }

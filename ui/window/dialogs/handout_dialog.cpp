@@ -48,11 +48,11 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     , m_answers(new QCheckBox(tr("&Answers to the questions, on a last page"), this)) {
     setWindowTitle(tr("Course hand-out"));
     setHelpTopic(*this, QStringLiteral("reports#handout"));
-    auto* formLabel = new QLabel(tr("&What is printed:"), this);
+    auto* formLabel = new QLabel(tr("&Contents:"), this);
     formLabel->setBuddy(m_form);
     m_form->setObjectName(QStringLiteral("handoutForm"));
     m_form->setAccessibleName(tr("Contents of the handout"));
-    m_form->addItems({tr("Hand-out with its results"), tr("Worksheet: results are left to write"),
+    m_form->addItems({tr("Hand-out with its results"), tr("Worksheet: results are left empty"),
                       tr("Key to the worksheet")});
     auto* label = new QLabel(tr("&Step that is worked out:"), this);
     label->setBuddy(m_step);
@@ -104,7 +104,7 @@ void HandoutDialog::offerSteps(const OutcomePtr& outcome, const CycleCursor& cyc
     if (cycle.outcome() && !cycle.atStart()) {
         const Progress done = cycle.progress();
         for (std::size_t i = done.open; i < done.end; ++i) {
-            offer(tr("Where the cycle stands: %1, k = %2"),
+            offer(tr("Current moment of the cycle: %1, k = %2"),
                   wishOf(cycle.outcome()->trajectory.passes[i].place, cycle.radius()));
         }
     }

@@ -221,7 +221,7 @@ QString PackImportDialog::choiceText(PackPlan::Choice choice, PackPlan::State st
     case PackPlan::Choice::leave:
         return state == PackPlan::State::same        ? tr("stays as it is")
                : state == PackPlan::State::different ? tr("Keep yours")
-                                                     : tr("Do not take");
+                                                     : tr("Do not import");
     case PackPlan::Choice::take:
         return state == PackPlan::State::different ? tr("Replace yours") : tr("Take");
     case PackPlan::Choice::takeBeside: return tr("Keep both");
@@ -352,7 +352,7 @@ void PackExportDialog::addLessons(const QStringList& paths) {
                          "not allow.")
                           .arg(printableText(file));
         } else if (m_files.contains(file, Qt::CaseInsensitive)) {
-            faults += tr("There is a “%1” in the list already.").arg(printableText(file));
+            faults += tr("“%1” is already in the list.").arg(printableText(file));
         } else {
             m_files += file;
             addItem(PackPart::lesson, PackParts::title(*read.lesson) + QStringLiteral(" — ") + file,
@@ -386,11 +386,10 @@ void PackExportDialog::showChosen() {
     if (m_save) {
         m_save->setEnabled(chosen > 0);
     }
-    m_state->setText(m_items.empty()
-                         ? tr("There is nothing of your own yet: no entry in the catalogues, no "
-                              "company and no laboratory work.")
-                     : chosen == 0 ? tr("Nothing is chosen.")
-                                   : tr("To go into the pack: %1.").arg(chosen));
+    m_state->setText(m_items.empty() ? tr("You have nothing to export yet: no entry in the "
+                                          "catalogues, no company and no laboratory work.")
+                     : chosen == 0   ? tr("Nothing is chosen.")
+                                     : tr("To be exported: %1.").arg(chosen));
 }
 
 Pack PackExportDialog::pack() const {

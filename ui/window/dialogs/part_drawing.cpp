@@ -2,7 +2,7 @@
 #include "ui/window/dialogs/part_drawing.h"
 
 #include "core/project/part.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"

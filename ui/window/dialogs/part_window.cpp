@@ -2,8 +2,8 @@
 #include "ui/window/dialogs/part_window.h"
 
 #include "core/project/part.h"
-#include "core/quality/light.h"
 #include "core/quality/requirement.h"
+#include "core/quality/verdict.h"
 #include "core/study/run_comparison.h"
 #include "core/study/search_edits.h"
 #include "core/units.h"
@@ -81,7 +81,7 @@ ValueCell searchCell(const PartStudies& studies, int id, const TimeUnit& unit) {
 }
 
 QString rejectedText(std::int64_t bad, std::int64_t parts) {
-    return SurfaceTable::tr("%1 of %2 bad").arg(bad).arg(parts);
+    return SurfaceTable::tr("%1 of %2 rejected").arg(bad).arg(parts);
 }
 
 /// The batch of all surfaces, otherwise that of the verdict.
@@ -280,8 +280,8 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
         chart.series[1].values.push_back(least ? 100 * least->relativeMargin : noNumber);
     }
     chart.fitTimeUnit();
-    chart.remark = tr("Margin: that of the requirement nearest to its limit of those that are "
-                      "decided, below 0 where one fails.");
+    chart.remark =
+        tr("Margin of the decided requirement nearest to its limit; below 0 if one is not met.");
     return chart;
 }
 
@@ -543,9 +543,9 @@ void PartWindow::retranslate() {
     m_comparison->retranslate();
     m_bars->retranslate();
     m_search->setText(tr("&Optimise all"));
-    m_search->setToolTip(tr("Searches the quickest cycle of every surface in the order of "
-                            "grinding, as ticked in the view Optimise; a surface without a search "
-                            "gets a typical one"));
+    m_search->setToolTip(
+        tr("Finds the quickest cycle of every surface in the order of grinding, as ticked in the "
+           "view Optimise; a surface without a search gets a typical one"));
     m_batch->setText(tr("&Batch of all"));
     m_batch->setToolTip(tr("Runs the batch of every surface that has one"));
     m_take->setText(tr("&Apply the cycles found"));

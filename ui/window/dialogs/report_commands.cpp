@@ -48,7 +48,7 @@ void ExportCommands::exportResults() {
     if (!outcome || !outcome->ran()) {
         QMessageBox box(QMessageBox::Information, tr("No results"),
                         tr("There is no result of these inputs, so there is nothing to export. The "
-                           "messages say what is wrong with them."),
+                           "messages list the faults."),
                         QMessageBox::Ok, m_window);
         box.setTextFormat(Qt::PlainText);
         box.exec();
@@ -95,7 +95,7 @@ BatchWait::BatchWait(const Project& project, const QString& what, QWidget* paren
     m_progress->setAccessibleName(tr("Progress of the batch"));
     m_progress->setMinimumWidth(waitWidth);
     m_stop->setObjectName(QStringLiteral("stopWaiting"));
-    m_stop->setToolTip(tr("Stop the batch; no report is made"));
+    m_stop->setToolTip(tr("Stop the batch; no report is written"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_text);
     column->addWidget(m_progress);
@@ -150,8 +150,8 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     const Subject now = m_subject();
     if (!now.outcome || !now.outcome->ran()) {
         say(QMessageBox::Information, tr("No report"),
-            tr("There is no result of these inputs, so there is nothing to report. The "
-               "messages say what is wrong with them."),
+            tr("There is no result of these inputs, so there is nothing to report. The messages "
+               "list the faults."),
             m_window);
         return {};
     }

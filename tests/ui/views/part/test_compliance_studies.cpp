@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Where to put the gauge" and "coupled against independent" in the view "Compliance".
+// "Position of the gauge" and "coupled against independent" in the view "Compliance".
 #include "core/process/system_compliance.h"
 #include "core/simulation/simulate.h"
 #include "tests/ready_made.h"

@@ -3,8 +3,8 @@
 // says what will be there.
 #include "core/batch/batch_summary.h"
 #include "core/quality/diameter_shares.h"
-#include "core/quality/light.h"
 #include "core/quality/run_summary.h"
+#include "core/quality/verdict.h"
 #include "core/study/run_comparison.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

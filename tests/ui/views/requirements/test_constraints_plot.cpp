@@ -5,7 +5,7 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/accuracy_limit.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/requirements/constraints_bench.h"

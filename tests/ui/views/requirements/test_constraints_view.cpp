@@ -221,7 +221,7 @@ private slots:
         project.sections_coupled = true;
         Shown shown(run(project));
         auto& notice = shown.part<QLabel>("constraintsNotice");
-        QVERIFY(notice.text().startsWith(QStringLiteral("No limit of the feed is on")));
+        QVERIFY(notice.text().startsWith(QStringLiteral("No limit of the feed is active")));
         project.machine->wheel_drive_kw = 4;
         shown.show(run(project));
         QVERIFY(shown.rowOf(ConstraintKind::wheelPower) >= 0);

@@ -556,7 +556,7 @@ private slots:
         const Desk desk(project);
         desk.click("optimiseRun");
         QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
-        QTRY_VERIFY2(desk.told().contains(QStringLiteral("take a larger step")),
+        QTRY_VERIFY2(desk.told().contains(QStringLiteral("use a larger step")),
                      qPrintable(desk.told()));
         desk.bench.window->document().edit(fixtures::searchedShaft(), {"Edit", ""});
         desk.bench.settle();

@@ -26,32 +26,6 @@ public:
     [[nodiscard]] static QString inOneLine(const QString& markup);
 };
 
-/// Goals, their questions and results, in the current language.
-class GoalWords {
-    Q_DECLARE_TR_FUNCTIONS(GoalWords)
-public:
-    /// "Actual feed, НЗ, double stroke 20, E3"
-    [[nodiscard]] static QString quantity(const sparkout::Figure& figure, const Project& project);
-    [[nodiscard]] static QString unit(const sparkout::Figure& figure); ///< never empty: a dash
-    /// With the unit after a comma, if it has one.
-    [[nodiscard]] static QString withUnit(const QString& quantity, const sparkout::Figure& figure);
-    [[nodiscard]] static QString number(const sparkout::Figure& figure, double value);
-    /// A value with its unit, for a sentence.
-    [[nodiscard]] static QString amount(const sparkout::Figure& figure, double value);
-    [[nodiscard]] static QString place(const Project& project, std::size_t index);
-    /// "НЗ > РЗ2 > РЗ1"
-    [[nodiscard]] static QString order(const Project& project,
-                                       const std::vector<std::size_t>& places);
-    /// The abscissa of a curve: "Double stroke", "Stage", "Zone or section".
-    [[nodiscard]] static QString along(const CurvePrediction& goal, const Project& project);
-    /// A place on that axis: "20", "НЗ".
-    [[nodiscard]] static QString alongAt(const CurvePrediction& goal, double at,
-                                         const Project& project);
-    [[nodiscard]] static QString finding(Finding finding);
-    /// The question of a goal, a sentence; it does not reveal the answer.
-    [[nodiscard]] static QString asked(const Goal& goal, const Project& project);
-};
-
 /// The answer to a step of the teacher's lesson: the engine's, or the right options.
 class StepKey {
     Q_DECLARE_TR_FUNCTIONS(StepKey)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file/table_reader.h"
+#include "core/file/struct_json.h"
 
 #include "core/file/output_json.h"
 #include "core/file/project_file.h"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/report/goal_words.h"
+#include "ui/report/lesson_markup.h"
 
 #include "ui/chart/view_plot.h"
 #include "ui/report/run_figures.h"
+#include "ui/text/goal_text.h"
 #include "ui/text/names.h"
-#include "ui/text/number_text.h"
-#include "ui/text/texts.h"
-#include "words/lesson_words.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -211,144 +209,9 @@ QString LessonMarkup::inOneLine(const QString& markup) {
     return withoutEntities(text.remove(within).replace(tag, QStringLiteral(" "))).simplified();
 }
 
-namespace {
-
-/// "mm/N" and other units of figures besides those of inputs.
-QString figureUnit(const sparkout::Figure& figure) {
-    const char* const unit = rowOf(figure.name).unit;
-    return *unit ? unitText(unit) : QString();
-}
-
-QString countOf(const Project& project, int count) {
-    return (project.operation->travels
-                ? QCoreApplication::translate("GoalWords", "double stroke %1")
-                : QCoreApplication::translate("GoalWords", "revolution %1"))
-        .arg(count);
-}
-
-} // namespace
-
-QString GoalWords::place(const Project& project, std::size_t index) {
-    return project.operation->travels ? Names::zone(static_cast<Zone>(index))
-                                      : Names::zone(Zone::section, static_cast<int>(index));
-}
-
-QString GoalWords::quantity(const sparkout::Figure& figure, const Project& project) {
-    QStringList parts{QCoreApplication::translate("Figure", rowOf(figure.name).choice.label)};
-    if (figure.place.isGiven()) {
-        parts << Names::within(place(project, figure.place.index()));
-    }
-    if (figure.stage) {
-        parts << tr("stage %1").arg(*figure.stage);
-    }
-    if (figure.count) {
-        parts << countOf(project, *figure.count);
-    }
-    if (figure.step != Step::none) {
-        parts << Names::step(figure.step);
-    }
-    return parts.join(QStringLiteral(", "));
-}
-
-QString GoalWords::unit(const sparkout::Figure& figure) {
-    const QString unit = figureUnit(figure);
-    return unit.isEmpty() ? QStringLiteral("–") : unit;
-}
-
-QString GoalWords::withUnit(const QString& quantity, const sparkout::Figure& figure) {
-    const QString unit = figureUnit(figure);
-    return unit.isEmpty() ? quantity : quantity + QStringLiteral(", ") + unit;
-}
-
-QString GoalWords::number(const sparkout::Figure& figure, double value) {
-    return Names::fixed(value, rowOf(figure.name).digits);
-}
-
-QString GoalWords::amount(const sparkout::Figure& figure, double value) {
-    const QString unit = figureUnit(figure);
-    const QString number = printedNumber(value);
-    return unit.isEmpty() ? number : number + QChar::Nbsp + unit;
-}
-
-QString GoalWords::order(const Project& project, const std::vector<std::size_t>& places) {
-    QStringList names;
-    for (const std::size_t index : places) {
-        names << place(project, index);
-    }
-    return names.join(QStringLiteral(" > "));
-}
-
-QString GoalWords::along(const CurvePrediction& goal, const Project& project) {
-    switch (goal.along) {
-    case CurveAlong::count:
-        return project.operation->travels ? tr("Double stroke") : tr("Revolution");
-    case CurveAlong::stage: return tr("Stage");
-    case CurveAlong::place: return tr("Zone or section");
-    }
-    return {};
-}
-
-QString GoalWords::alongAt(const CurvePrediction& goal, double at, const Project& project) {
-    return goal.along == CurveAlong::place ? place(project, static_cast<std::size_t>(at))
-                                           : printedNumber(at);
-}
-
-QString GoalWords::finding(Finding finding) {
-    return QCoreApplication::translate("Finding", findingText(finding));
-}
-
-QString GoalWords::asked(const Goal& goal, const Project& project) {
-    const auto amountOf = [](const sparkout::Figure& figure, double value) {
-        return amount(figure, value);
-    };
-    switch (goal.kind()) {
-    case GoalKind::requirements: {
-        const QString holds = goal.requirements->every_stock
-                                  ? tr("Every requirement must be met for every stock")
-                                  : tr("Every requirement must be met");
-        return goal.requirements->least_margin_percent > 0
-                   ? tr("%1, with a margin of at least %2 %.")
-                         .arg(holds, printedNumber(goal.requirements->least_margin_percent))
-                   : holds + u'.';
-    }
-    case GoalKind::time: {
-        const QString time = goal.time->below_min ? tr("The cycle must take at most %1 min.")
-                                                        .arg(printedNumber(*goal.time->below_min))
-                             : goal.time->within_percent_of_best
-                                 ? tr("The cycle must take at most %1 % more than the best one.")
-                                       .arg(printedNumber(*goal.time->within_percent_of_best))
-                                 : tr("The cycle must be quick.");
-        return goal.time->requirements_hold
-                   ? time + u' ' + tr("Every requirement must be met") + u'.'
-                   : time;
-    }
-    case GoalKind::figure:
-        return tr("To be reached: %1 of %2 ± %3.")
-            .arg(Names::inSentence(quantity(goal.figure->figure, project)),
-                 printedNumber(goal.figure->value),
-                 amountOf(goal.figure->figure, goal.figure->tolerance));
-    case GoalKind::prediction:
-        return tr("To be predicted before the run: %1.")
-            .arg(Names::inSentence(
-                withUnit(quantity(goal.prediction->figure, project), goal.prediction->figure)));
-    case GoalKind::curve:
-        return tr("To be drawn before the run: %1.")
-            .arg(Names::inSentence(
-                withUnit(quantity(goal.curve->figure, project), goal.curve->figure)));
-    case GoalKind::order:
-        return tr("To be predicted before the run: the order by %1, the largest first.")
-            .arg(Names::inSentence(quantity(goal.order->figure, project)));
-    case GoalKind::choice: return tr("One or several answers are right.");
-    case GoalKind::text: return tr("The answer is in words; the teacher reads it.");
-    }
-    return {};
-}
-
 void StepKey::write(PaperWriter& paper, const Lesson& lesson, std::size_t step) {
     const Goal& goal = lesson.steps[step].goal;
-    const auto surface = static_cast<std::size_t>(lesson.steps[step].surface) - 1;
-    const Setup setup = setupOf(lesson, step);
-    const Project& project = setup.surfaces[surface].project;
+    const Project& project = projectOf(lesson, step);
     if (goal.choice) {
         for (const ChoiceOption& option : goal.choice->options) {
             if (option.right) {
@@ -359,31 +222,32 @@ void StepKey::write(PaperWriter& paper, const Lesson& lesson, std::size_t step) 
         return;
     }
     if (!isAnsweredByEngine(goal.kind())) {
-        paper.say(GoalWords::asked(goal, project));
+        paper.say(GoalText::asked(goal, project));
         return;
     }
     const GoalResult result = checkStep(lesson, step, {});
     const sparkout::Figure& figure = *goal.asked();
-    const QString name = GoalWords::quantity(figure, project);
+    const QString name = GoalText::quantity(figure, project);
     if (goal.prediction && result.value) {
         paper.say(tr("%1: %2; ± %3 is accepted.")
-                      .arg(GoalWords::withUnit(name, figure),
-                           GoalWords::number(figure, *result.value),
+                      .arg(GoalText::quantityAndUnit(figure, project),
+                           GoalText::number(figure, *result.value),
                            Names::fixed(result.tolerance, rowOf(figure.name).digits + 1)));
     } else if (goal.order && !result.order.empty()) {
         paper.say(
-            tr("%1, the largest first: %2.").arg(name, GoalWords::order(project, result.order)));
+            tr("%1, the largest first: %2.").arg(name, GoalText::order(project, result.order)));
     } else if (goal.curve && !result.curve.empty()) {
         Table table;
-        table.head = {GoalWords::along(*goal.curve, project), GoalWords::withUnit(name, figure)};
+        table.head = {GoalText::along(*goal.curve, project),
+                      GoalText::quantityAndUnit(figure, project)};
         table.texts = {true};
         for (const ComparedPoint& point : result.curve) {
-            table.rows.push_back({GoalWords::alongAt(*goal.curve, point.at, project),
-                                  GoalWords::number(figure, point.value)});
+            table.rows.push_back({GoalText::alongAt(*goal.curve, point.at, project),
+                                  GoalText::number(figure, point.value)});
         }
         paper.table(std::move(table), tr("By the engine"));
     } else {
-        paper.say(GoalWords::finding(result.finding));
+        paper.say(GoalText::finding(result.finding));
     }
 }
 
@@ -397,15 +261,15 @@ constexpr QColor saidColour(0xd5, 0x5e, 0x00), engineColour(0x00, 0x72, 0xb2),
 /// Axes with their names, for a curve prediction.
 void setUpAxes(QCustomPlot& plot, const CurvePrediction& goal, const Project& project) {
     sparkout::Figure figure = goal.figure;
-    plot.xAxis->setLabel(GoalWords::along(goal, project));
-    plot.yAxis->setLabel(GoalWords::withUnit(GoalWords::quantity(figure, project), figure));
+    plot.xAxis->setLabel(GoalText::along(goal, project));
+    plot.yAxis->setLabel(GoalText::quantityAndUnit(figure, project));
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
         style::setUpAxis(*axis);
     }
     if (goal.along == CurveAlong::place) {
         const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
         for (const double at : goal.at) {
-            names->addTick(at, GoalWords::alongAt(goal, at, project));
+            names->addTick(at, GoalText::alongAt(goal, at, project));
         }
         plot.xAxis->setTicker(names);
     }
@@ -449,9 +313,9 @@ Figure CurveFigure::compared(const CurvePrediction& goal, const Project& project
     style::setSafeRange(*plot.yAxis, bottom < 0 ? bottom - room : 0, top + room);
     const LegendEntries legend{{.colour = saidColour, .pen = Qt::DashLine, .text = tr("Predicted")},
                                {.colour = engineColour, .text = tr("By the engine")}};
-    const QString caption = GoalWords::quantity(goal.figure, project);
+    const QString caption = GoalText::quantity(goal.figure, project);
     return plotFigure(plot, legend, caption,
-                      tr("%1: what was predicted beside what the engine computes").arg(caption));
+                      tr("%1: the prediction beside the engine's result").arg(caption));
 }
 
 Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {
@@ -473,7 +337,7 @@ Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {
         axis->grid()->setSubGridVisible(axis == plot.xAxis);
         axis->grid()->setSubGridPen(QPen(gridColour, 0.5, Qt::DotLine));
     }
-    const QString caption = GoalWords::quantity(goal.figure, project);
+    const QString caption = GoalText::quantity(goal.figure, project);
     return plotFigure(plot, {}, caption, tr("A grid to draw on: %1").arg(caption));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file/cell_reader.h"
+#include "core/file/text_table.h"
 
 #include "core/digits.h"
 #include "core/file/csv_line.h"

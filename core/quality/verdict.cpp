@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 
 #include "core/project/cycle.h"
 #include "core/project/machine.h"

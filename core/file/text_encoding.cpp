@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/file/table_text.h"
+#include "core/file/text_encoding.h"
 
 #include "core/printable.h"
 #include "core/sha256.h"
@@ -181,7 +181,7 @@ std::optional<TextEncoding> utf16ByEvidence(std::string_view bytes) {
 }
 
 bool hasControls(std::string_view bytes) {
-    constexpr std::string_view ofTexts = "\t\n\v\f\r\x1A"; // the last ends files of DOS
+    constexpr std::string_view ofTexts = "\t\n\v\f\r\x1A"; // 0x1a ends files of DOS
     return std::any_of(bytes.begin(), bytes.end(), [&](char c) {
         return static_cast<unsigned char>(c) < 0x20 && ofTexts.find(c) == ofTexts.npos;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/search/search_state.h"
+#include "core/search/search_record_text.h"
 
 #include "core/batch/state_seal.h"
 #include "core/search/grid.h"
