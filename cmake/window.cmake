@@ -3,7 +3,7 @@
 # Qt asks for them on behalf of programs that use its private parts: not found, nothing is missing.
 set(XKB_FIND_QUIETLY TRUE)
 set(WrapVulkanHeaders_FIND_QUIETLY TRUE)
-find_package(Qt6 REQUIRED COMPONENTS Core Gui Widgets PrintSupport LinguistTools)
+find_package(Qt6 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Charts LinguistTools)
 # The moc of all targets, in a twentieth of its time.
 get_target_property(SPARKOUT_MOC Qt6::moc LOCATION)
 if(CMAKE_HOST_UNIX)
