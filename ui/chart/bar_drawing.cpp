@@ -25,9 +25,6 @@ constexpr double textGap = 4;           ///< between texts and their objects
 constexpr double ringRoom = 2.2;        ///< about a ring, in heights of a text
 constexpr double widestCategory = 0.58; ///< relative to the width, names beside lying bars
 constexpr double fieldAlpha = 0.22;
-constexpr int lineAlpha = 150, gridAlpha = 35;   ///< of the axes and their grid, up to 255
-constexpr double tickLength = 4, leastTicks = 2; ///< length and least distance of ticks [px]
-constexpr double boxLine = 1.4;                  ///< width of the lines of a box
 constexpr double markWidth = 3;
 constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in text heights
 constexpr double leastType = 0.8;       ///< relative to the font, names under narrow bars
@@ -200,7 +197,7 @@ BarDrawing::Layout BarDrawing::layOut(const QSizeF& size) const {
 
 // --- parts --------------------------------------------------------------------------------------
 
-/// Computes the bars of each category: a stack, or side by side, grouped by their axis.
+/// Computes the bars like Qt Charts, which puts the series into equal groups by their axis.
 void BarDrawing::findParts(const Layout& layout) {
     m_parts.clear();
     const BarChart& chart = m_drawn;
@@ -237,7 +234,7 @@ void BarDrawing::findParts(const Layout& layout) {
                 const double slot = onSecond ? groups - 1 : 0;
                 beside = ((slot + 0.5) / groups - 0.5) * area.room(chart)
                          + (place - (count(onSecond) - 1) / 2) * own;
-                beside = chart.isLying ? -beside : beside; // the first at the bottom
+                beside = chart.isLying ? -beside : beside; // Qt Charts counts from the bottom
             }
             m_parts.push_back(
                 {m_drawnSeries[i], c, area.bar(chart, scale, c, from, from + value, beside, own)});
@@ -288,15 +285,10 @@ void BarDrawing::paint(QPainter& painter, const QSizeF& size) {
     painter.save();
     painter.setFont(m_look.font);
     const bool isRing = m_drawn.shape == Shape::ring;
-    const bool isSmooth = painter.testRenderHint(QPainter::Antialiasing);
     isRing ? findSlices(layout) : findParts(layout);
     paintBand(painter, layout);
-    painter.setRenderHint(QPainter::Antialiasing, isRing || isBoxes);
-    if (!isRing) {
-        paintLines(painter, layout);
-    }
-    paintParts(painter, layout);
-    painter.setRenderHint(QPainter::Antialiasing, isSmooth);
+    m_scene.show(m_drawn, layout.scales, m_look);
+    m_scene.paint(painter, size, layout.area);
     paintHatches(painter);
     if (isRing) {
         paintSliceNumbers(painter, layout);
@@ -353,89 +345,6 @@ void BarDrawing::paintBand(QPainter& painter, const Layout& layout) const {
     colour.setAlphaF(static_cast<float>(colour.alphaF() * fieldAlpha));
     painter.setBrush(colour);
     painter.drawRect(field);
-}
-
-/// Paints the grid across the values, and the axes with their ticks on whole pixels.
-void BarDrawing::paintLines(QPainter& painter, const Layout& layout) const {
-    const QRectF& area = layout.area.rect;
-    const double left = std::floor(area.left()), right = std::floor(area.right()),
-                 bottom = std::floor(area.bottom()), room = layout.area.room(m_drawn);
-    const bool hasSecond = std::ranges::any_of(m_drawn.series, &BarSeries::onSecond);
-    QList<QLineF> grid,
-        lines{{left, area.top(), left, area.bottom()}, {area.left(), bottom, area.right(), bottom}};
-    const auto addTick = [&](double at, bool isBelow) {
-        lines << (isBelow ? QLineF(at, bottom, at, bottom + tickLength)
-                          : QLineF(left - tickLength, at, left, at));
-    };
-    const BarScale& scale = layout.scales.first;
-    for (int tick = -scale.below; tick <= scale.above; ++tick) { // those of both scales
-        const double at = layout.area.at(m_drawn, scale, tick * scale.step);
-        grid << (m_drawn.isLying ? QLineF(at, area.top(), at, area.bottom())
-                                 : QLineF(area.left(), at, area.right(), at));
-        addTick(at, m_drawn.isLying);
-        if (hasSecond) {
-            lines << QLineF(right, at, right + tickLength, at);
-        }
-    }
-    if (hasSecond) {
-        lines << QLineF(right, area.top(), right, area.bottom());
-    }
-    for (qsizetype i = 0; room >= leastTicks && i <= m_drawn.categories.size(); ++i) {
-        addTick((m_drawn.isLying ? area.top() : area.left()) + static_cast<double>(i) * room,
-                !m_drawn.isLying);
-    }
-    const QColor ink = m_look.palette.color(QPalette::Text);
-    painter.setPen(QPen(style::thinned(ink, gridAlpha), 1));
-    painter.drawLines(grid);
-    painter.setPen(QPen(style::thinned(ink, lineAlpha), 1));
-    painter.drawLines(lines);
-}
-
-/// Paints bars, boxes or slices, within the area, so that their edges leave the axes free.
-void BarDrawing::paintParts(QPainter& painter, const Layout& layout) const {
-    const bool isBoxes = m_drawn.shape == Shape::boxes;
-    painter.save();
-    painter.setClipRect(layout.area.rect.adjusted(0, isBoxes ? -1 : 0, 0, 0), Qt::IntersectClip);
-    for (const BarPart& part : m_parts) {
-        if (isBoxes) {
-            paintBox(painter, layout, part);
-            continue;
-        }
-        painter.setPen(QPen(m_look.palette.color(QPalette::Base), 1));
-        painter.setBrush(m_look.toned(m_chart.series[part.series].colour));
-        if (!part.slice.isEmpty()) {
-            painter.drawPath(part.slice);
-        } else if (!part.rect.isEmpty()) {
-            painter.drawRect(part.rect);
-        }
-    }
-    painter.restore();
-}
-
-/// Paints a standing box with its median and whiskers.
-void BarDrawing::paintBox(QPainter& painter, const Layout& layout, const BarPart& part) const {
-    const BarBox& box = m_drawn.boxes[part.category];
-    const double left = part.rect.left(), right = part.rect.right(),
-                 middle = part.rect.center().x();
-    const auto at = [&](double value) {
-        return layout.area.at(m_drawn, layout.scales.first, value);
-    };
-    QPen pen(m_look.ink(), boxLine);
-    painter.setPen(pen);
-    painter.setBrush(m_look.toned(m_drawn.colourOfBox(part.category)));
-    for (const double end : {box.most, box.least}) {
-        painter.drawLine(QLineF(left, at(end), right, at(end)));
-    }
-    if (!std::isfinite(box.low + box.median + box.high)) {
-        return; // too few values for quartiles
-    }
-    painter.drawLine(QLineF(middle, at(box.most), middle, at(box.high)));
-    painter.drawLine(QLineF(middle, at(box.low), middle, at(box.least)));
-    painter.drawRect(QRectF(QPointF(left, at(box.high)), QPointF(right, at(box.low))));
-    pen.setCapStyle(Qt::FlatCap);
-    painter.setPen(pen);
-    painter.drawLine(
-        QLineF(left - boxLine / 2, at(box.median), right + boxLine / 2, at(box.median)));
 }
 
 void BarDrawing::paintHatches(QPainter& painter) const {

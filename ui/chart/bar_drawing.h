@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/chart/bar_chart.h"
-#include "ui/chart/bar_scale.h"
+#include "ui/chart/chart_scene.h"
 
 #include <QFontMetricsF>
 #include <QPainterPath>
@@ -24,8 +24,8 @@ struct BarPart {
     [[nodiscard]] bool holds(const QPointF& at) const;
 };
 
-/// Draws a chart: axes with a grid, bars, boxes or slices, over them hatches, marks, limits and
-/// texts that never overlap. The same on screen, on paper and in a file.
+/// Draws a chart: bars and axes by Qt Charts, over them texts that never overlap, hatches, marks
+/// and limits. The same on screen, on paper and in a file.
 class BarDrawing {
 public:
     void setChart(BarChart chart);
@@ -38,8 +38,9 @@ public:
     [[nodiscard]] bool shows(std::size_t series) const;
     /// As last painted, in the order of the categories.
     [[nodiscard]] const std::vector<BarPart>& parts() const { return m_parts; }
-    [[nodiscard]] int partAt(const QPointF& at) const;                 ///< −1: none
-    [[nodiscard]] int categoryAt(const QPointF& at) const;             ///< also beside its bars
+    [[nodiscard]] int partAt(const QPointF& at) const;     ///< −1: none
+    [[nodiscard]] int categoryAt(const QPointF& at) const; ///< also beside its bars
+    [[nodiscard]] const ChartScene& scene() const { return m_scene; }
     [[nodiscard]] const QStringList& texts() const { return m_texts; } ///< as last painted
     [[nodiscard]] const std::vector<QRectF>& numberBoxes() const { return m_taken; } ///< likewise
     /// The least height at which every category has a line of its own.
@@ -58,9 +59,6 @@ private:
     void findParts(const Layout& layout);
     void findSlices(const Layout& layout);
     void paintBand(QPainter& painter, const Layout& layout) const;
-    void paintLines(QPainter& painter, const Layout& layout) const;
-    void paintParts(QPainter& painter, const Layout& layout) const;
-    void paintBox(QPainter& painter, const Layout& layout, const BarPart& part) const;
     void paintHatches(QPainter& painter) const;
     void paintMarks(QPainter& painter, const Layout& layout) const;
     [[nodiscard]] QRectF beyondLimits(QRectF box, const Layout& layout, bool upwards) const;
@@ -81,6 +79,7 @@ private:
     BarChart m_chart;
     std::vector<bool> m_hidden;
     ChartLook m_look;
+    ChartScene m_scene;
     BarChart m_drawn; ///< with the visible series
     std::vector<std::size_t> m_drawnSeries;
     ChartArea m_area; ///< area as last painted

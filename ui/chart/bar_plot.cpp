@@ -25,7 +25,7 @@ protected:
     void draw(QCPPainter* painter) override {
         const bool onScreen = !painter->modes().testFlag(QCPPainter::pmNoCaching);
         if (onScreen && m_plot.visibleRegion().isEmpty()) {
-            m_plot.m_stale = true; // painted when it is shown
+            m_plot.m_stale = true; // Qt Charts is slow
             return;
         }
         m_plot.m_drawing.paint(*painter, m_plot.viewport().size());

@@ -3,8 +3,17 @@
 
 #include "ui/chart/bar_chart.h"
 
-#include <QFont>
+#include <QGraphicsScene>
+#include <QPointer>
 #include <QRectF>
+
+#include <vector>
+
+class QAbstractAxis;
+class QAbstractSeries;
+class QChart;
+class QPainter;
+class QValueAxis;
 
 namespace sparkout {
 
@@ -37,7 +46,7 @@ struct ChartLook {
     [[nodiscard]] QColor ink() const;
 };
 
-/// The positions of a chart's bars in the area between its axes.
+/// The positions of a chart's bars, computed as Qt Charts would in an area.
 struct ChartArea {
     static constexpr double hole = 0.58; ///< share of the radius of a ring
     static constexpr double most = 0.72; ///< share of a category's width for its bars
@@ -53,6 +62,39 @@ struct ChartArea {
     /// among the bars.
     [[nodiscard]] QRectF bar(const BarChart& chart, const BarScale& scale, std::size_t category,
                              double from, double to, double middle, double width) const;
+};
+
+/// A chart of Qt Charts: its bars, boxes or slices, axes and grid. It has no texts, since Qt Charts
+/// truncates texts that do not fit. Values of a small chart change in place; a large one, or one
+/// with other series or categories, is rebuilt.
+class ChartScene {
+public:
+    ChartScene();
+    ~ChartScene();
+
+    /// Every series has a value for each category.
+    void show(const BarChart& chart, const BarScales& scales, const ChartLook& look);
+    void paint(QPainter& painter, const QSizeF& size, const ChartArea& area);
+
+    [[nodiscard]] QChart* chart() const { return m_chart; } ///< null before the first show()
+    [[nodiscard]] const QList<QAbstractSeries*>& series() const { return m_series; }
+
+private:
+    [[nodiscard]] bool isAlike(const BarChart& chart) const;
+    [[nodiscard]] bool hasValuesOf(const BarChart& chart) const;
+    void build(const BarChart& chart, const BarScales& scales);
+    void buildBars(const BarChart& chart, const BarScales& scales, bool onSecond);
+    void buildAxes(const BarChart& chart);
+    void fill(const BarChart& chart, const BarScales& scales);
+    void colour(const BarChart& chart, const ChartLook& look);
+
+    QGraphicsScene m_scene;
+    QChart* m_chart = nullptr; ///< owned by the scene
+    QList<QAbstractSeries*> m_series;
+    QAbstractAxis* m_categories = nullptr;
+    QValueAxis* m_values = nullptr;
+    QValueAxis* m_secondValues = nullptr;
+    BarChart m_shown;
 };
 
 } // namespace sparkout
