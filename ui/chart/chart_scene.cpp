@@ -189,7 +189,7 @@ QColor ChartLook::ink() const {
     return style::dimmed(palette.color(QPalette::Text), isDimmed);
 }
 
-// --- where things stand -------------------------------------------------------------------------
+// --- positions ----------------------------------------------------------------------------------
 
 double ChartArea::room(const BarChart& chart) const {
     const auto categories = static_cast<double>(std::max<qsizetype>(chart.categories.size(), 1));
