@@ -117,7 +117,7 @@ double leastOf(const std::vector<DepthLimit>& limits) {
     return least;
 }
 
-bool isWorse(const LimitedCut& a, const LimitedCut& b) {
+bool isWorseCut(const LimitedCut& a, const LimitedCut& b) {
     return std::pair(a.usage, a.depth_mm) > std::pair(b.usage, b.depth_mm);
 }
 
@@ -169,11 +169,11 @@ private:
                 usage = std::max(usage, root * root);
             }
             const LimitedCut cut{pass.place, k, stock, a, pass.effectiveWidth_mm, usage};
-            worst = isWorse(cut, worst) ? cut : worst;
+            worst = isWorseCut(cut, worst) ? cut : worst;
         }
         if (worst.depth_mm > 0) {
             m_series.least_mm = std::min(m_series.least_mm, worst.stock_mm);
-            group.worst = isWorse(worst, group.worst) ? worst : group.worst;
+            group.worst = isWorseCut(worst, group.worst) ? worst : group.worst;
             group.cuts.push_back(worst);
         }
     }
@@ -228,7 +228,7 @@ private:
                 group.cuts.begin() + static_cast<std::ptrdiff_t>(i * count / mostLimitedCuts);
             const auto last =
                 group.cuts.begin() + static_cast<std::ptrdiff_t>((i + 1) * count / mostLimitedCuts);
-            kept.push_back(*std::min_element(first, last, isWorse));
+            kept.push_back(*std::min_element(first, last, isWorseCut));
         }
         group.cuts = std::move(kept);
     }
