@@ -73,13 +73,13 @@ Issues checkHeader(const json& root, int newest) {
     const Bounds versions{{1, static_cast<double>(newest)}};
     if (!root.contains("version")) {
         add(IssueCode::missingKey, "/version", {}, versions);
-    } else if (const json& version = root.at("version"); !version.is_number_integer()) {
-        add(IssueCode::wrongType, "/version", quoted(version), Phrase::wholeNumber);
-    } else if (version.get<double>() > newest) {
-        add(version == newestVersion ? IssueCode::severalSurfaces : IssueCode::newerVersion,
-            "/version", quoted(version), versions);
-    } else if (version.get<double>() < 1) {
-        add(IssueCode::outOfRange, "/version", quoted(version), versions);
+    } else if (const json& given = root.at("version"); !given.is_number_integer()) {
+        add(IssueCode::wrongType, "/version", quoted(given), Phrase::wholeNumber);
+    } else if (given.get<double>() > newest) {
+        add(given == newestVersion ? IssueCode::severalSurfaces : IssueCode::newerVersion,
+            "/version", quoted(given), versions);
+    } else if (given.get<double>() < 1) {
+        add(IssueCode::outOfRange, "/version", quoted(given), versions);
     }
     return issues;
 }

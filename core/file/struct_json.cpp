@@ -472,15 +472,15 @@ Issues checkFileHeader(const json& root, const char* format, int newest) {
         add(IssueCode::notOneOf, "/format", quoted(*found), formats);
     }
     const Bounds versions{{1, static_cast<double>(newest)}};
-    const auto version = root.find("version");
-    if (version == root.end()) {
+    const auto given = root.find("version");
+    if (given == root.end()) {
         add(IssueCode::missingKey, "/version", {}, versions);
-    } else if (!version->is_number_integer()) {
-        add(IssueCode::wrongType, "/version", quoted(*version), Phrase::wholeNumber);
-    } else if (version->get<double>() > newest) {
-        add(IssueCode::newerVersion, "/version", quoted(*version), versions);
-    } else if (version->get<double>() < 1) {
-        add(IssueCode::outOfRange, "/version", quoted(*version), versions);
+    } else if (!given->is_number_integer()) {
+        add(IssueCode::wrongType, "/version", quoted(*given), Phrase::wholeNumber);
+    } else if (given->get<double>() > newest) {
+        add(IssueCode::newerVersion, "/version", quoted(*given), versions);
+    } else if (given->get<double>() < 1) {
+        add(IssueCode::outOfRange, "/version", quoted(*given), versions);
     }
     return issues;
 }
