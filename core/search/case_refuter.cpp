@@ -214,11 +214,11 @@ CaseRefuter::Stage* CaseRefuter::follower(Stage& stage, std::size_t count,
         stage.kept.emplace(count, from);
         m_kept_bytes += prefixBytes(m_part);
     }
-    GaugeSignal before = stage.before;
+    GaugeSignal signal = stage.before;
     for (std::size_t i = 1; i <= count; ++i) {
-        before.read(stage.states[i].time_s, stage.states[i].remaining_mm);
+        signal.read(stage.states[i].time_s, stage.states[i].remaining_mm);
     }
-    return &stage.next.emplace(key, begin(from, before)).first->second;
+    return &stage.next.emplace(key, begin(from, signal)).first->second;
 }
 
 bool CaseRefuter::endsTooDeep(const State& state, const GridCycle& cycle, StockRange range) {
