@@ -305,7 +305,8 @@ private slots:
             QVERIFY2(hasOwn, name);
         }
         const Project p = journal(); // with a spark-out: the grid is about the cycle alone
-        QVERIFY(levelValues(usualSearch(p).optimisation->unfed_steps).front() > 0);
+        const Project searched = usualSearch(p);
+        QVERIFY(levelValues(searched.optimisation->unfed_steps).front() > 0);
     }
 
     // Half the removal rate in a bore, more in soft steel.
