@@ -352,8 +352,8 @@ private slots:
         }
         QCOMPARE(agreeing, 3);
         QCOMPARE(project.runs.size(), std::size_t{3});
-        QVERIFY(std::abs(readSummary(project.runs[2].summary.text)->cycle_time_min - 7.902)
-                < 0.001);
+        const auto factory = readSummary(project.runs[2].summary.text);
+        QVERIFY(std::abs(factory->summary.cycle_time_min - 7.902) < 0.001);
         for (const KeptRun& kept : project.runs) {
             const SimulationResult run = simulateUnchecked(*readProject(kept.inputs.text).project);
             const PartAccuracy accuracy = accuracyOf(run);
