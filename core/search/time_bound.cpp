@@ -120,16 +120,6 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
            * (1 - boundRounding);
 }
 
-double strokesAndDwells_s(const Project& project, double axialFeed_mm_min) {
-    const Machine& machine = *project.machine;
-    const double travel_mm = project.part->length_mm - project.wheel->width_mm
-                             + machine.overrun_entry_mm + machine.overrun_exit_mm;
-    const int dwells = 2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
-                       + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm);
-    return dwells * (units::secondsPerMinute / machine.work_speed_rpm)
-           + 2 * travel_mm / axialFeed_mm_min * units::secondsPerMinute;
-}
-
 double infeedOf(const Project& project, const StageSetting& setting) {
     return setting.continuousFeed_mm_min > 0
                ? setting.continuousFeed_mm_min / units::secondsPerMinute

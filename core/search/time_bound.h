@@ -75,9 +75,6 @@ private:
     bool m_shortLastStep;
 };
 
-/// Returns the time of the dwells and both strokes of a double stroke [s].
-[[nodiscard]] double strokesAndDwells_s(const Project& project, double axialFeed_mm_min);
-
 /// Returns the infeed of a step with a setting [mm]: its radial feed, or S_c during a double
 /// stroke.
 [[nodiscard]] double infeedOf(const Project& project, const StageSetting& setting);

@@ -444,4 +444,14 @@ SimulationResult simulateTraverseGaugedIn(Zone zone, const Project& project,
     return simulateGauged(zone, project, nullptr, stop);
 }
 
+double strokesAndDwells_s(const Project& project, double axialFeed_mm_min) {
+    const Machine& machine = *project.machine;
+    const double travel_mm = project.part->length_mm - project.wheel->width_mm
+                             + machine.overrun_entry_mm + machine.overrun_exit_mm;
+    const int dwells = 2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
+                       + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm);
+    return dwells * (units::secondsPerMinute / machine.work_speed_rpm)
+           + 2 * travel_mm / axialFeed_mm_min * units::secondsPerMinute;
+}
+
 } // namespace sparkout

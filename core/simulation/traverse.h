@@ -31,4 +31,7 @@ struct ReversalFeeds {
 [[nodiscard]] SimulationResult simulateTraverse(const Project& project, Trajectory* trajectory,
                                                 const std::stop_token& stop);
 
+/// Returns the time of the dwells and both strokes of a double stroke [s].
+[[nodiscard]] double strokesAndDwells_s(const Project& project, double axialFeed_mm_min);
+
 } // namespace sparkout

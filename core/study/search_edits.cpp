@@ -15,6 +15,7 @@
 #include "core/search/time_bound.h"
 #include "core/search/variants.h"
 #include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
 #include "core/study/starting_cycle.h"
 #include "core/study/starting_numbers.h"
 #include "core/units.h"

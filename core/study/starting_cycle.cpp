@@ -12,6 +12,7 @@
 #include "core/quality/power.h"
 #include "core/search/time_bound.h"
 #include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
 #include "core/study/starting_numbers.h"
 #include "core/surface/burn.h"
 #include "core/text.h"
