@@ -125,6 +125,18 @@ inline constexpr StartingNumbers axialFinish{{{0.2, "B·n", "S_ax, Ra below 0.8;
 inline constexpr StartingNumber finishOfBurn{
     0.7, "", "share of the depth that burns the surface, wheel worn", ""};
 
+// A part that yields unevenly, where it is searched about the cycle.
+inline constexpr StartingNumber unevenLag{
+    0.1, "T", "difference of the lags along the part behind the spark-out at most, wheel worn", ""};
+/// S_ax of finishing, reduced while more is left with most spark-outs.
+inline constexpr std::array<StartingNumber, 4> evenShares{
+    {{0.15, "B·n", "where the part yields unevenly", ""},
+     {0.1, "B·n", "likewise", ""},
+     {0.07, "B·n", "likewise", ""},
+     {0.05, "B·n", "likewise", ""}}};
+inline constexpr StartingNumber evenStrokes{
+    10, "double strokes", "spark-out at most, where the part yields unevenly", ""};
+
 // Spark-out.
 inline constexpr StartingNumbers sparkOutTime{{{6, "s", "of a plunge, Ra below 0.8", ""},
                                                {4, "s", "Ra from 0.8", ""},
