@@ -111,7 +111,9 @@ private:
 
 constexpr double usualStockStep_mm = 1e-3;
 
-/// Whether a cycle roughs, finishes and sparks out, as in a shop, or is fit for every stock.
+/// Whether a cycle roughs, finishes and sparks out, as in a shop, or is fit for every stock. About
+/// another one the grid may hold no fit cycle; a starting cycle added to the grid of a fit one
+/// would make it too large for a proof in seconds.
 bool isUsual(const Project& project) {
     const std::vector<Stage>& stages = project.cycle->stages;
     if (std::ranges::count_if(stages, &Stage::feeds) > 1 && stages.back().sparkOutSteps()) {
