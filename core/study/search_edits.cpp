@@ -2,6 +2,7 @@
 #include "core/study/search_edits.h"
 
 #include "core/batch/batch_run.h"
+#include "core/batch/judgement.h"
 #include "core/file/project_file.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -10,10 +11,12 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/quality/constraints.h"
 #include "core/quality/roughness.h"
 #include "core/search/grid.h"
 #include "core/search/time_bound.h"
 #include "core/search/variants.h"
+#include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/traverse.h"
 #include "core/study/starting_cycle.h"
@@ -107,17 +110,23 @@ private:
     double m_low = 0, m_high = 0, m_step = 0;
 };
 
-/// The stages of a starting cycle with stocks in these steps, the last taking the remainder.
-std::vector<Stage> inSteps(std::vector<Stage> stages, double step_mm, double all_mm) {
-    constexpr double slack = 1e-6;
-    double left_mm = all_mm;
-    for (std::size_t z = 0; z + 1 < stages.size(); ++z) {
-        const double steps = std::floor(stages[z].stock_mm / step_mm + slack);
-        stages[z].stock_mm = asWritten(steps * step_mm);
-        left_mm -= stages[z].stock_mm;
+constexpr double usualStockStep_mm = 1e-3;
+
+/// Whether a cycle roughs, finishes and sparks out, as in a shop, or is fit for every stock. About
+/// another one the grid may hold no fit cycle; a starting cycle added to the grid of a fit one
+/// would make it too large for a proof in seconds.
+bool isUsual(const Project& project) {
+    const std::vector<Stage>& stages = project.cycle->stages;
+    if (std::ranges::count_if(stages, &Stage::feeds) > 1 && stages.back().sparkOutSteps()) {
+        return true;
     }
-    stages.back().stock_mm = asWritten(left_mm);
-    return stages;
+    const SimulationResult result = simulate(project);
+    if (result.status != RunStatus::completed
+        || !std::ranges::all_of(evaluateConstraints(result), &ConstraintResult::holds)) {
+        return false;
+    }
+    const std::optional<JudgedStocks> stocks = judgeStocks(result);
+    return !stocks || stocks->holds;
 }
 
 /// Fills the search of a project.
@@ -140,19 +149,15 @@ public:
         if (const auto steps = project.cycle->stages.back().sparkOutSteps()) {
             m_sparkOut = *steps;
         }
-        if (hasCycle() && (m_sparkOut == 0 || !hasFinish())) {
-            m_start = startingStages(project).stages;
-        }
     }
 
     /// Whether there is a cycle to search about.
     [[nodiscard]] bool hasCycle() const { return !m_feeding.empty(); }
 
     [[nodiscard]] Optimisation search() const {
-        constexpr double step_mm = 1e-3;
         Optimisation search;
         search.stages = {2};
-        search.stock_step_mm = step_mm;
+        search.stock_step_mm = usualStockStep_mm;
         search.non_increasing = true;
         search.scenarios = usualScenarios(m_project);
         putFeeds(search);
@@ -178,15 +183,6 @@ private:
     [[nodiscard]] double doubleStroke_min(const Stage& stage) const {
         const double axial = (stage.*m_project.operation->axial()->value).value_or(1);
         return strokesAndDwells_s(m_project, axial) / units::secondsPerMinute;
-    }
-
-    /// A range of roughing (stage 0) or finishing with the feed of the starting cycle.
-    [[nodiscard]] FeedRange withStart(FeedRange range, const StageFeed& feed,
-                                      std::size_t stage) const {
-        if (!m_start.empty()) {
-            range.now.push_back((m_start[stage].*feed.value).value_or(range.low));
-        }
-        return range;
     }
 
     /// The most that finishing feeds beyond the reading that ends it [mm].
@@ -274,8 +270,8 @@ private:
     void putFeeds(Optimisation& search) const {
         constexpr double plungeStep_mm_min = 0.01, infeedStep_mm = 0.0005;
         put(search, radial(), isPlunge() ? plungeStep_mm_min : infeedStep_mm,
-            withStart(isPlunge() ? plungeRough() : strokeRough(), radial(), 0),
-            withStart(isPlunge() ? plungeFinish() : strokeFinish(), radial(), 1));
+            isPlunge() ? plungeRough() : strokeRough(),
+            isPlunge() ? plungeFinish() : strokeFinish());
         putContinuous(search);
         if (const StageFeed* axial = axialFeed()) {
             putAxial(search, *axial);
@@ -290,10 +286,9 @@ private:
         for (const Stage& stage : m_feeding) {
             range.now.push_back((stage.*axial.value).value_or(range.low));
         }
-        range = withStart(withStart(std::move(range), axial, 0), axial, 1);
         if (m_isRoughnessOpen) {
-            const FeedRange finish{range.low, mostFinishAxial(), {*(m_finish.*axial.value)}};
-            put(search, axial, step_mm_min, range, withStart(finish, axial, 1));
+            put(search, axial, step_mm_min, range,
+                {range.low, mostFinishAxial(), {*(m_finish.*axial.value)}});
         } else {
             search.*axial.levels = FeedSteps(m_project, axial, step_mm_min).preferred(range);
         }
@@ -307,30 +302,26 @@ private:
         const auto onStep = [step_mm](double stock_mm) {
             return asWritten(std::round(stock_mm / step_mm) * step_mm);
         };
-        double high_mm = std::max(std::min(onStep(2 * now_mm), onStep(all_mm / 2)), step_mm);
-        double low_mm = std::min(onStep(std::max(least_mm, ofNow * now_mm)), high_mm);
-        double last_mm = asWritten(sparkOut_mm + onStep(fedLate_mm()));
-        if (!m_start.empty()) {
-            const std::vector<Stage> start = inSteps(m_start, step_mm, all_mm);
-            high_mm = std::max(high_mm, start[1].stock_mm);
-            low_mm = std::min(low_mm, start[1].stock_mm);
-            last_mm =
-                std::max(last_mm, asWritten(std::ceil(start[2].stock_mm / step_mm) * step_mm));
+        const double high_mm = std::max(std::min(onStep(2 * now_mm), onStep(all_mm / 2)), step_mm);
+        const double low_mm = std::min(onStep(std::max(least_mm, ofNow * now_mm)), high_mm);
+        std::vector<std::vector<double>> rows{{step_mm, all_mm}, {low_mm, high_mm}};
+        if (m_sparkOut > 0) {
+            rows.push_back({0, asWritten(sparkOut_mm + onStep(fedLate_mm()))});
         }
-        search.stage_stock_mm =
-            std::vector<std::vector<double>>{{step_mm, all_mm}, {low_mm, high_mm}, {0, last_mm}};
+        search.stage_stock_mm = std::move(rows);
     }
 
-    /// Without a spark-out of the cycle: none, or those about that of the starting cycle.
     [[nodiscard]] Levels sparkOuts() const {
-        const int now = m_sparkOut > 0 ? m_sparkOut : m_start.back().sparkOutSteps().value_or(0);
-        std::vector<double> counts{static_cast<double>(m_sparkOut), static_cast<double>(now)};
+        if (m_sparkOut == 0) {
+            return {};
+        }
+        std::vector<double> counts{static_cast<double>(m_sparkOut)};
         if (isPlunge()) {
             constexpr double shortest_s = 3, longer = 1.5;
             counts.push_back(std::max(std::round(shortest_s * m_project.machine->work_speed_rpm
                                                  / units::secondsPerMinute),
                                       1.0));
-            counts.push_back(std::round(longer * now));
+            counts.push_back(std::round(longer * m_sparkOut));
         } else {
             counts.push_back(2);
             counts.push_back(3);
@@ -345,21 +336,32 @@ private:
     std::vector<Stage> m_feeding;
     Stage m_finish; ///< the last of these; where the roughness is open, with S_ax within its limit
     int m_sparkOut = 0; ///< steps; 0: no spark-out
-    /// Those of a starting cycle where the cycle does not rough, finish and spark out; else none.
-    std::vector<Stage> m_start;
 };
 
 } // namespace
 
 Cycle startingCycleInSteps(const Project& project) {
+    const double step_mm =
+        project.optimisation ? project.optimisation->stock_step_mm : usualStockStep_mm;
+    const auto inSteps = [step_mm](double stock_mm) {
+        return asWritten(std::round(stock_mm / step_mm) * step_mm);
+    };
     Cycle cycle = startingStages(project);
-    cycle.stages =
-        inSteps(cycle.stages, project.optimisation->stock_step_mm, project.part->stock_mm);
+    Stage &rough = cycle.stages[0], &finish = cycle.stages[1], &sparkOut = cycle.stages[2];
+    const double all_mm = project.part->stock_mm;
+    finish.stock_mm = inSteps(finish.stock_mm);
+    rough.stock_mm = inSteps(all_mm - finish.stock_mm - sparkOut.stock_mm);
+    sparkOut.stock_mm = asWritten(std::max(all_mm - finish.stock_mm - rough.stock_mm, 0.0));
     return cycle;
 }
 
 Project usualSearch(Project project) {
-    const UsualSearch usual(project);
+    Project about = project;
+    about.optimisation.reset();
+    if (!isUsual(project)) {
+        *about.cycle = startingCycleInSteps(about);
+    }
+    const UsualSearch usual(about);
     if (usual.hasCycle()) {
         Project with = withPracticalLimits(project);
         with.optimisation = usual.search();

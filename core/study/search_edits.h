@@ -21,8 +21,8 @@ namespace sparkout {
 ///   2 of its current infeed, at most 5 µm, both per double stroke; S_ax from 0.15 to 0.4 B·n.
 ///   Where the machine has a range of the continuous infeed, stages may instead have one that feeds
 ///   as much in a double stroke.
-/// * Where the cycle does not rough, finish and spark out, the grid also has a starting cycle on the
-///   machine as it is set, and the spark-outs about that of the starting cycle beside none.
+/// * A cycle that does not rough, finish and spark out, and that is unfit for some stock, is not
+///   searched about: the grid is about startingCycleInSteps() instead.
 /// * Where a roughness is required that is only estimated, as a range, nothing else keeps finishing
 ///   slow: then its feeds are within these limits also where those of the cycle are beyond them,
 ///   and its S_ax is at most 0.2, 0.25 or 0.35 B·n by the required roughness, as in a starting
@@ -36,8 +36,8 @@ namespace sparkout {
 /// project must be valid; where such a grid has no cycle the grid is that of withOfferedSearch().
 [[nodiscard]] Project usualSearch(Project project);
 
-/// Returns a starting cycle on the project's machine as it is set, with stocks in the steps of its
-/// search. It is mostly fit for every stock and for the batch: a search that has it in its grid has
+/// Returns startingStages() with stocks in the steps of the project's search, or of a usual one.
+/// The cycle is mostly fit for every stock and for the batch: a search that has it in its grid has
 /// an answer early.
 [[nodiscard]] Cycle startingCycleInSteps(const Project& project);
 

@@ -154,21 +154,39 @@ double usualWorkSpeed(const Project& project, double rise) {
 
 // --- deflection ---------------------------------------------------------------------------------
 
-/// The greatest γ at the ends, the quarters and the middle of the ground length, or if given that
-/// of the zones or sections [mm/N].
-double greatestCompliance(const Project& project) {
-    double greatest = 0;
+/// The least and the greatest γ of a part [mm/N].
+struct Compliances {
+    double least = std::numeric_limits<double>::infinity(), greatest = 0;
+
+    void add(double gamma) {
+        least = std::min(least, gamma);
+        greatest = std::max(greatest, gamma);
+    }
+};
+
+/// Those at the ends, the quarters and the middle of the ground length, or if given those of the
+/// zones or sections.
+Compliances compliancesOf(const Project& project) {
+    Compliances found;
     if (!std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n)) {
         for (const CompliantPoint& point : compliantPoints(project)) {
-            greatest = std::max(greatest, point.gamma_mm_n);
+            found.add(point.gamma_mm_n);
         }
-        return greatest;
+        return found;
     }
     const double length = project.part->length_mm;
     for (const double place : {0.0, length / 4, length / 2, 3 * length / 4, length}) {
-        greatest = std::max(greatest, influenceRows(project, {place}, {place}).front());
+        found.add(influenceRows(project, {place}, {place}).front());
     }
-    return greatest;
+    return found;
+}
+
+/// How far the gauge's target is beyond the middle of the field, as a radius that is not cut [mm].
+double targetBeyondMiddle_mm(const Part& part) {
+    const double middle_mm =
+        part.diameter_mm + (part.upper_deviation_um + part.lower_deviation_um) / 2 / units::umPerMm;
+    const double beyond_mm = (part.target_diameter_mm.value_or(middle_mm) - middle_mm) / 2;
+    return part.surface == Surface::external ? beyond_mm : -beyond_mm;
 }
 
 /// The lag of a radius behind the wheel, step by step, with one pass per step or, in a double
@@ -264,7 +282,9 @@ struct Trial {
 /// The rule on a machine as it is set.
 class Rule {
 public:
-    Rule(Project project, double gamma) : m_project(std::move(project)), m_gamma(gamma) {
+    /// Where both compliances differ, finishing keeps the part even.
+    Rule(Project project, const Compliances& gamma)
+        : m_project(std::move(project)), m_gamma(gamma.greatest), m_leastGamma(gamma.least) {
         m_worn = m_project;
         const double dullness = starting::wornDullness * dullnessOf(*m_worn.wheel);
         setDullness(*m_worn.wheel, std::min(dullness, 1.0));
@@ -280,13 +300,17 @@ private:
     [[nodiscard]] std::optional<double> burnLimit(double stock_mm) const;
     void limitRough(BoundDepth& depth, double width_mm, int passes) const;
     [[nodiscard]] double finishBelowBurn(double depth_mm) const;
-    [[nodiscard]] double sparkOutStock(double removed_mm, double infeed_mm, int late) const;
+    [[nodiscard]] double sparkOutStock(double removed_mm, double infeed_mm, int late,
+                                       double uneven_mm = 0) const;
+    [[nodiscard]] double unevenness(const ForceLaw& law, double infeed_mm, double width_mm,
+                                    int strokes) const;
+    void keepEven(double infeed_mm, Stage& finish, int& strokes) const;
     [[nodiscard]] double finishStock(double wanted_mm) const;
     [[nodiscard]] Trial made(const BoundDepth& depth, Stage rough, Stage finish,
                              Stage sparkOut) const;
 
     Project m_project, m_worn;
-    double m_gamma;
+    double m_gamma, m_leastGamma;
     ForceLaw m_law, m_wornLaw;
 };
 
@@ -326,11 +350,47 @@ double Rule::finishBelowBurn(double depth_mm) const {
 
 /// The stock of a spark-out [mm]: its removal, plus the infeed of finishing beyond the reading that
 /// ends it, and half a step, by which that end is uncertain; at most a quarter of a small stock.
-double Rule::sparkOutStock(double removed_mm, double infeed_mm, int late) const {
-    const double step = starting::stockStep;
+/// The middle of the part's sizes is that of the field, whatever the gauge's target.
+double Rule::sparkOutStock(double removed_mm, double infeed_mm, int late, double uneven_mm) const {
+    const double step = starting::stockStep, beyond_mm = targetBeyondMiddle_mm(*m_project.part);
     const double fed_mm = (late + 0.5) * infeed_mm;
-    const double stock_mm = std::max(step, std::round((removed_mm + fed_mm) / step) * step);
+    const double wanted_mm = removed_mm + fed_mm + uneven_mm / 2 - beyond_mm;
+    const double stock_mm = std::max(beyond_mm > 0 ? 0 : step, std::round(wanted_mm / step) * step);
     return std::min(stock_mm, m_project.part->stock_mm / 4);
+}
+
+/// The difference of the lags behind a spark-out between the places that yield most and least [mm].
+double Rule::unevenness(const ForceLaw& law, double infeed_mm, double width_mm, int strokes) const {
+    constexpr int passes = 2; // of a double stroke
+    const auto left_mm = [&](double gamma) {
+        const Lag lag(law, gamma, width_mm, passes);
+        const double steady_mm = lag.steady(infeed_mm);
+        return steady_mm - lag.removed(steady_mm, strokes);
+    };
+    return left_mm(m_gamma) - left_mm(m_leastGamma);
+}
+
+/// Adds spark-outs, then reduces S_ax, until the part becomes even.
+void Rule::keepEven(double infeed_mm, Stage& finish, int& strokes) const {
+    const double n = m_project.machine->work_speed_rpm, width = m_project.wheel->width_mm;
+    const double most_mm = starting::unevenLag * fieldWidth_mm(*m_project.part);
+    const int usual = strokes;
+    std::vector<double> feeds{*finish.axial_feed_mm_min};
+    for (const double share : starting::evenShares) {
+        const double feed = axialFeeds(m_project).at(share * width * n, Rounding::down);
+        if (feed < feeds.back()) {
+            feeds.push_back(feed);
+        }
+    }
+    for (const double feed : feeds) {
+        finish.axial_feed_mm_min = feed;
+        for (strokes = usual; strokes <= starting::evenStrokes; ++strokes) {
+            if (unevenness(m_wornLaw, infeed_mm, std::min(feed / n, width), strokes) <= most_mm) {
+                return;
+            }
+        }
+    }
+    --strokes;
 }
 
 double Rule::finishStock(double wanted_mm) const {
@@ -434,9 +494,8 @@ Trial Rule::traverse(double axialShare) const {
     const double finishShare = std::min<double>(starting::axialFinish[roughness], roughShare);
     Stage rough, finish, sparkOut;
     rough.axial_feed_mm_min = axialFeed(roughShare);
-    finish.axial_feed_mm_min = sparkOut.axial_feed_mm_min = axialFeed(finishShare);
+    finish.axial_feed_mm_min = axialFeed(finishShare);
     const double roughWidth = cutWidth(*rough.axial_feed_mm_min);
-    const double finishWidth = cutWidth(*finish.axial_feed_mm_min);
 
     const double table =
         (hard ? starting::hardInfeed : starting::softInfeed) * (bore ? starting::boreShare : 1);
@@ -451,19 +510,26 @@ Trial Rule::traverse(double axialShare) const {
                  Rounding::down);
     finish.radial_feed_mm = infeed;
 
-    const Lag lag(m_law, m_gamma, finishWidth, passes);
+    const Lag usualLag(m_law, m_gamma, cutWidth(*finish.axial_feed_mm_min), passes);
     const Lag wornLag(m_wornLaw, m_gamma, roughWidth, passes);
-    const double left = lag.steady(infeed);
     int strokes = static_cast<int>(starting::sparkOutStrokes[roughness]);
     while (strokes > starting::leastStrokes
-           && lag.removed(left, strokes) > starting::sparkOutRemoval * T) {
+           && usualLag.removed(usualLag.steady(infeed), strokes) > starting::sparkOutRemoval * T) {
         --strokes;
     }
+    keepEven(infeed, finish, strokes);
+    sparkOut.axial_feed_mm_min = finish.axial_feed_mm_min;
     sparkOut.sparkOutFor(strokes);
+    const double finishWidth = cutWidth(*finish.axial_feed_mm_min);
+    const double uneven_mm = (unevenness(m_law, infeed, finishWidth, strokes)
+                              + unevenness(m_wornLaw, infeed, finishWidth, strokes))
+                             / 2;
+    const Lag lag(m_law, m_gamma, finishWidth, passes);
+    const double left = lag.steady(infeed);
     const auto late = [this](const Stage& stage) {
         return lateSteps(m_project, strokesAndDwells_s(m_project, *stage.axial_feed_mm_min));
     };
-    sparkOut.stock_mm = sparkOutStock(lag.removed(left, strokes), infeed, late(finish));
+    sparkOut.stock_mm = sparkOutStock(lag.removed(left, strokes), infeed, late(finish), uneven_mm);
     finish.stock_mm = finishStock(
         std::max<double>(starting::leastFinishStock,
                          starting::strokeLagStock * wornLag.steady(depth.depth_mm)
@@ -501,7 +567,7 @@ Project withDwells(Project project, const StartingEnds& ends) {
     return project;
 }
 
-Trial bestOn(const Project& project, double gamma) {
+Trial bestOn(const Project& project, const Compliances& gamma) {
     const Rule rule(project, gamma);
     if (!project.operation->travels) {
         return rule.plunge();
@@ -520,7 +586,7 @@ Trial bestOn(const Project& project, double gamma) {
     return best;
 }
 
-Trial bestAt(Project project, const StartingEnds& ends, double gamma, double rise) {
+Trial bestAt(Project project, const StartingEnds& ends, const Compliances& gamma, double rise) {
     project.machine->work_speed_rpm = usualWorkSpeed(project, rise);
     return bestOn(withDwells(std::move(project), ends), gamma);
 }
@@ -596,13 +662,14 @@ Project withStartingEnds(Project project, const StartingEnds& ends) {
 }
 
 Cycle startingStages(const Project& project) {
-    const auto best = bestOn(project, greatestCompliance(project));
+    const auto best = bestOn(project, compliancesOf(project));
     return *best.cycle.project.cycle;
 }
 
 StartingCycle startingCycle(Project project, const StartingEnds& ends) {
     project = withStartingEnds(std::move(project), ends);
-    const double gamma = greatestCompliance(project);
+    Compliances gamma = compliancesOf(project);
+    gamma.least = gamma.greatest; // how evenly it is cut is left to the decision on all stocks
     Trial best = bestAt(project, ends, gamma, 1);
     for (const double rise : starting::speedRises) {
         if (best.cycle.bound != RoughBound::burn || best.cycle.tableShare >= starting::burntShare) {

@@ -65,7 +65,8 @@ struct StartingCycle {
 [[nodiscard]] StartingCycle startingCycle(Project project, const StartingEnds& ends);
 
 /// The stages of such a cycle on the project's machine as it is set: with its work speed, overruns
-/// and dwells.
+/// and dwells. A traverse of a part that yields unevenly along its length has more spark-outs, and
+/// a smaller axial feed of finishing if need be, so that the lags behind it differ little.
 [[nodiscard]] Cycle startingStages(const Project& project);
 
 } // namespace sparkout
