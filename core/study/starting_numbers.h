@@ -87,16 +87,9 @@ inline constexpr OfRoughness axialFinish{0.2, 0.25,
 inline constexpr double finishOfBurn = 0.7;
 
 // A part that yields unevenly, where it is searched about the cycle.
-inline constexpr StartingNumber unevenLag{
-    0.1, "T", "difference of the lags along the part behind the spark-out at most, wheel worn", ""};
-/// S_ax of finishing, reduced while more is left with most spark-outs.
-inline constexpr std::array<StartingNumber, 4> evenShares{
-    {{0.15, "B·n", "where the part yields unevenly", ""},
-     {0.1, "B·n", "likewise", ""},
-     {0.07, "B·n", "likewise", ""},
-     {0.05, "B·n", "likewise", ""}}};
-inline constexpr StartingNumber evenStrokes{
-    10, "double strokes", "spark-out at most, where the part yields unevenly", ""};
+inline constexpr double unevenLag = 0.1; ///< [T] greatest difference of lags, wheel worn
+inline constexpr std::array evenShares{0.15, 0.1, 0.07, 0.05}; ///< [B·n] S_ax of finishing
+inline constexpr double evenStrokes = 10;                      ///< [double strokes] most spark-outs
 
 // Spark-out.
 inline constexpr OfRoughness sparkOutTime{6, 4, 3};    ///< [s] of a plunge
