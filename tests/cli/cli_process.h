@@ -20,7 +20,7 @@
 /// Runs of the real program, and what it printed.
 namespace cli {
 
-struct Outcome {
+struct ProcessOutcome {
     int status = -1; ///< exit status, −1 for a signal
     std::string out;
     std::string err;
@@ -36,7 +36,7 @@ inline void endBySignal(const QProcess& process, int signal) {
     ::kill(number, signal);
 }
 
-inline Outcome outcomeOf(QProcess& process) {
+inline ProcessOutcome outcomeOf(QProcess& process) {
     const bool isSlow = qEnvironmentVariableIsSet("SPARKOUT_LONG")
                         || qEnvironmentVariableIsSet("SPARKOUT_QUICK"); // the sanitizers
     const int patience_ms = isSlow ? 900'000 : 60'000;
@@ -50,7 +50,7 @@ inline Outcome outcomeOf(QProcess& process) {
             process.readAllStandardError().toStdString()};
 }
 
-inline Outcome run(const QStringList& arguments, const QStringList& environment = {}) {
+inline ProcessOutcome run(const QStringList& arguments, const QStringList& environment = {}) {
     QProcess process;
     if (!environment.isEmpty()) {
         process.setEnvironment(environment);
@@ -65,7 +65,7 @@ inline bool has(const std::string& text, const std::string& word) {
 
 /// What a run that ends with this status states as JSON.
 inline nlohmann::json answerTo(const QStringList& arguments, int status = 0) {
-    const Outcome outcome = run(arguments);
+    const ProcessOutcome outcome = run(arguments);
     if (outcome.status != status) {
         throw std::runtime_error(outcome.text());
     }
@@ -73,7 +73,7 @@ inline nlohmann::json answerTo(const QStringList& arguments, int status = 0) {
 }
 
 /// Ctrl+C once a cycle is found, however slow the machine is.
-inline Outcome interruptedWithAnAnswer(QStringList arguments) {
+inline ProcessOutcome interruptedWithAnAnswer(QStringList arguments) {
     arguments.prepend("optimize");
     QProcess process;
     process.setReadChannel(QProcess::StandardError);
@@ -105,7 +105,7 @@ inline std::size_t lines(const std::string& text) {
 }
 
 /// Exit status 2, and one line that says what is wrong with the command line.
-inline bool isUsageError(const Outcome& outcome) {
+inline bool isUsageError(const ProcessOutcome& outcome) {
     return outcome.status == 2 && lines(outcome.err) == 1
            && outcome.err.starts_with("sparkout-cli: ") && outcome.out.empty();
 }

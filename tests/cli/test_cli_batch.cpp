@@ -39,7 +39,7 @@ public:
         }
         return false;
     }
-    Outcome endBy(int signal) {
+    ProcessOutcome endBy(int signal) {
         endBySignal(m_process, signal);
         return outcomeOf(m_process);
     }
@@ -89,7 +89,7 @@ private slots:
     }
     void usageErrors() {
         QFETCH(QStringList, arguments);
-        const Outcome outcome = run(arguments);
+        const ProcessOutcome outcome = run(arguments);
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
     }
 
@@ -155,7 +155,8 @@ private slots:
     void allPartsAreWrittenAsRows() {
         const QString one = m_folder.filePath("one.csv"), four = m_folder.filePath("four.csv");
         QCOMPARE(run({"batch", m_file, "--rows", one, "--threads", "1"}).status, 0);
-        const Outcome outcome = run({"batch", m_file, "--rows", four, "--threads", "4", "--json"});
+        const ProcessOutcome outcome =
+            run({"batch", m_file, "--rows", four, "--threads", "4", "--json"});
         QCOMPARE(outcome.status, 0);
         const std::string text = samples::readText(one.toStdString());
         QCOMPARE(samples::readText(four.toStdString()), text);
@@ -186,19 +187,19 @@ private slots:
 
     void aFileThatIsThereIsNotReplacedUnasked() {
         const QString file = save("kept.csv", "mine");
-        const Outcome outcome = run({"batch", m_file, "--rows", file});
+        const ProcessOutcome outcome = run({"batch", m_file, "--rows", file});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
         QVERIFY2(has(outcome.err, "kept.csv: exists; --force replaces it\n"), outcome.err.c_str());
         QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
         QCOMPARE(run({"batch", m_file, "--rows", file, "--force"}).status, 0);
         QVERIFY(samples::readText(file.toStdString()).starts_with("part,"));
-        const Outcome project = run({"batch", m_file, "--rows", m_file, "--force"});
+        const ProcessOutcome project = run({"batch", m_file, "--rows", m_file, "--force"});
         QVERIFY2(isUsageError(project), project.text().c_str());
         const QString blanks = save("blanks2.csv", "stock_mm\n0.141\n");
         QVERIFY(isUsageError(
             run({"batch", m_file, "--measured", blanks, "--rows", blanks, "--force"})));
-        const Outcome nowhere =
+        const ProcessOutcome nowhere =
             run({"batch", m_file, "--rows", m_folder.filePath("no folder/a.csv")});
         QCOMPARE(nowhere.status, 1);
         QVERIFY(nowhere.out.empty());
@@ -216,7 +217,7 @@ private slots:
     }
 
     void textNamesTheFigures() {
-        const Outcome outcome = run({"batch", m_file, "--sensitivity", "8"});
+        const ProcessOutcome outcome = run({"batch", m_file, "--sensitivity", "8"});
         QCOMPARE(outcome.status, 0);
         for (const char* word :
              {"50 of 50 parts, completed", "verdict ", "rejected", "worst part", "stock_mm",
@@ -234,7 +235,8 @@ private slots:
     void mergedShardsPrintWhatOneRunPrints() {
         const QStringList shards{shard(2, 3), shard(3, 3), shard(1, 3)};
         for (const char* output : {"--json", "--csv"}) {
-            const Outcome merged = run(QStringList{"batch-merge"} + shards + QStringList{output});
+            const ProcessOutcome merged =
+                run(QStringList{"batch-merge"} + shards + QStringList{output});
             QCOMPARE(merged.status, 0);
             QCOMPARE(merged.out, run({"batch", m_file, output}).out);
         }
@@ -243,7 +245,7 @@ private slots:
     void whatCannotBeMergedIsRefused() {
         const QString first = shard(1, 2), second = shard(2, 2);
         const auto refuses = [](const QStringList& files, const char* why) {
-            const Outcome outcome = run(QStringList{"batch-merge"} + files);
+            const ProcessOutcome outcome = run(QStringList{"batch-merge"} + files);
             return outcome.status == 1 && outcome.out.empty() && has(outcome.err, why);
         };
         const QString copy = save("copy.json", samples::readText(first.toStdString()));
@@ -288,10 +290,10 @@ private slots:
         QCOMPARE(job(array(0, 2, 0)).status, 2); // counts from 0
         QVERIFY(written().isEmpty());
         for (const int task : {1, 3}) {
-            const Outcome outcome = job(array(task, 3));
+            const ProcessOutcome outcome = job(array(task, 3));
             QVERIFY2(outcome.status == 0, outcome.text().c_str());
         }
-        const Outcome failed = job({"MERGE=1"});
+        const ProcessOutcome failed = job({"MERGE=1"});
         QCOMPARE(failed.status, 1);
         QVERIFY2(has(failed.err, "parts 7…13 of 20 are in no shard"), failed.err.c_str());
         QCOMPARE(written(), (QStringList{"shard-1-of-3.json", "shard-3-of-3.json"}));
@@ -336,7 +338,7 @@ private slots:
         file["batch"]["factors"].erase("dullness");
         file["batch"]["correlation"] = {{1, 0.5}, {0.5, 1}};
         const QString correlated = save("correlated.sparkout", file.dump());
-        const Outcome outcome = run({"batch", correlated, "--sensitivity", "16"});
+        const ProcessOutcome outcome = run({"batch", correlated, "--sensitivity", "16"});
         QCOMPARE(outcome.status, 1);
         QVERIFY(has(outcome.err, "not correlated"));
         QCOMPARE(run({"batch", correlated}).status, 0);
@@ -344,14 +346,14 @@ private slots:
 
     void measuredBlanksTakeThePlaceOfALaw() {
         const QString table = save("blanks.csv", "no;stock_mm\n1;0,141\n2;0,147\n");
-        const Outcome outcome = run({"batch", m_file, "--json", "--measured", table});
+        const ProcessOutcome outcome = run({"batch", m_file, "--json", "--measured", table});
         QCOMPARE(outcome.status, 0);
         QVERIFY(has(outcome.err, "2 values of stock_mm"));
         const json worst = json::parse(outcome.out).at("worst");
         const double stock = worst.at("factors").at("stock_mm");
         QVERIFY(stock == 0.141 || stock == 0.147);
         const QString words = save("words.csv", "stock_mm\n0.15\nwide\x1b[2J\n");
-        const Outcome refused = run({"batch", m_file, "--measured", words});
+        const ProcessOutcome refused = run({"batch", m_file, "--measured", words});
         QCOMPARE(refused.status, 1);
         QVERIFY(refused.out.empty());
         QVERIFY2(has(refused.err, "line 3: not understood: \"wide\\u001b[2J\""),
@@ -364,7 +366,7 @@ private slots:
         QCOMPARE(run({"batch", save("c.sparkout", file.dump())}).status, 0);
         file["part"]["tolerance"]["radial_runout_um"] = 1e-6;
         const QString strict = save("strict.sparkout", file.dump());
-        const Outcome outcome = run({"batch", strict, "--check", "--json"});
+        const ProcessOutcome outcome = run({"batch", strict, "--check", "--json"});
         QCOMPARE(outcome.status, 4);
         QVERIFY(json::parse(outcome.out).at("not_good").at("count") == 50);
         QCOMPARE(run({"batch", strict}).status, 0);
@@ -374,25 +376,25 @@ private slots:
         json file = samples::sample("complete");
         file["batch"]["factors"]["stock_mm"] = {{"uniform", {0.15, 0.13}}};
         const QString path = save("reversed.sparkout", file.dump());
-        const Outcome outcome = run({"batch", path});
+        const ProcessOutcome outcome = run({"batch", path});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
         QVERIFY(has(outcome.err,
                     "/batch/factors/stock_mm/uniform/1: 0.13 is out of range; allowed: "
                     "≥ 0.15\n"));
         QCOMPARE(run({"simulate", path}).status, 0);
-        const Outcome validated = run({"validate", path});
+        const ProcessOutcome validated = run({"validate", path});
         QCOMPARE(validated.status, 1);
-        for (const Outcome& each : {outcome, validated}) { // an error, once
+        for (const ProcessOutcome& each : {outcome, validated}) { // an error, once
             QVERIFY(std::ranges::count(each.err, '\n') == 1);
             QVERIFY2(!has(each.err, "warning"), each.err.c_str());
         }
         file["batch"]["factors"]["stock_mm"] = json::object();
-        const Outcome lawless = run({"validate", save("lawless.sparkout", file.dump())});
+        const ProcessOutcome lawless = run({"validate", save("lawless.sparkout", file.dump())});
         QVERIFY2(has(lawless.err, "/batch/factors/stock_mm: no law given; expected one of "
                                   "uniform | normal | "),
                  lawless.err.c_str());
-        const Outcome none = run({"batch", samplePath("smallest-plunge")});
+        const ProcessOutcome none = run({"batch", samplePath("smallest-plunge")});
         QCOMPARE(none.status, 1);
         QVERIFY(has(none.err, ": /batch: "));
     }
@@ -408,7 +410,7 @@ private slots:
         batch.readProgress();
         QVERIFY(batch.hasDoneSome());
         RunningTimer timer;
-        const Outcome outcome = batch.endBy(signal);
+        const ProcessOutcome outcome = batch.endBy(signal);
         QVERIFY(timer.elapsed() < 5000); // the quickness itself is the engine's test
         QCOMPARE(outcome.status, 128 + signal);
         const json answer = json::parse(outcome.out);

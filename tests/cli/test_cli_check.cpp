@@ -18,7 +18,7 @@ private slots:
     void initTestCase() { begin(); }
 
     void cannotReachSizeExits3() {
-        const Outcome outcome = run({"simulate", m_stuck, "--json"});
+        const ProcessOutcome outcome = run({"simulate", m_stuck, "--json"});
         QCOMPARE(outcome.status, 3);
         QVERIFY(json::parse(outcome.out).at("status") == json("cannot_reach_size"));
         QVERIFY(has(outcome.err, "cannot reach size"));
@@ -74,7 +74,7 @@ private slots:
         QFETCH(double, fails);
         for (const double limit : {holds, fails}) {
             const QString saved = save("one.sparkout", withOneRequirement(path, limit).dump());
-            const Outcome outcome = run({"simulate", saved, "--check", "--json"});
+            const ProcessOutcome outcome = run({"simulate", saved, "--check", "--json"});
             QCOMPARE(outcome.status, limit == holds ? 0 : 4);
             bool listed = false;
             int unknown = 0;

@@ -30,7 +30,7 @@ private slots:
         begin();
         m_group = save("group.csv", "name,group\nИванов И.,ТМ-31\nПетров П.,ТМ-31\nSmith J.,B\n");
         m_class = m_folder.filePath("class");
-        const Outcome outcome = run(variantsInto(m_class));
+        const ProcessOutcome outcome = run(variantsInto(m_class));
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QCOMPARE(lines(outcome.out), std::size_t{5});
     }
@@ -61,7 +61,7 @@ private slots:
     }
     void usageErrors() {
         QFETCH(QStringList, arguments);
-        const Outcome outcome = run(arguments);
+        const ProcessOutcome outcome = run(arguments);
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
     }
 
@@ -69,7 +69,7 @@ private slots:
         const QString file = m_class + "/001-Иванов_И_.sparkout-work";
         const std::string before = contentOf(file);
         QVERIFY(!before.empty());
-        const Outcome outcome = run(variantsInto(m_class));
+        const ProcessOutcome outcome = run(variantsInto(m_class));
         QCOMPARE(outcome.status, 1);
         QVERIFY(has(outcome.err, "--force"));
         QCOMPARE(run(variantsInto(m_class) << "--force").status, 0);
@@ -92,7 +92,7 @@ private slots:
         const QStringList grade{
             "course",  "grade", lessonPath(), marked,
             "--group", m_group, "--answers",  m_class + "/teacher-best-answers.csv"};
-        const Outcome outcome = run(grade + QStringList{"--json"});
+        const ProcessOutcome outcome = run(grade + QStringList{"--json"});
         QCOMPARE(outcome.status, 0);
         const json works = json::parse(outcome.out).at("works");
         QCOMPARE(works.size(), std::size_t{5}); // three files, two missing
@@ -104,9 +104,9 @@ private slots:
         QVERIFY(works[3].at("name") == json("Иванов И."));
         QVERIFY(works[3].at("flags") == json({"missing"}));
         QVERIFY(has(outcome.err, "broken.sparkout-work"));
-        const Outcome csv = run(grade + QStringList{"--csv"});
+        const ProcessOutcome csv = run(grade + QStringList{"--csv"});
         QCOMPARE(lines(csv.out), std::size_t{6});
-        const Outcome text = run(grade);
+        const ProcessOutcome text = run(grade);
         QVERIFY2(has(text.out, "edited outside the program"), text.out.c_str());
         QCOMPARE(run({"course", "check", marked + "/edited.sparkout-work"}).status, 4);
     }
@@ -119,7 +119,7 @@ private slots:
             "--group", group,   "--answers",  m_class + "/teacher-best-answers.csv"};
         const QString path = m_folder.filePath("Журнал.xlsx");
         const QStringList book = grade + QStringList{"--xlsx", "-o", path};
-        const Outcome outcome = run(book);
+        const ProcessOutcome outcome = run(book);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QCOMPARE(QString::fromStdString(outcome.out), path + '\n');
         const XlsxReader read(path);
@@ -130,7 +130,7 @@ private slots:
         compareSteps(read, QString::fromStdString(run(grade).out));
 
         const std::string before = contentOf(path);
-        const Outcome again = run(book);
+        const ProcessOutcome again = run(book);
         QCOMPARE(again.status, 1);
         QVERIFY2(has(again.err, "exists; --force replaces it"), again.err.c_str());
         QCOMPARE(contentOf(path), before);
@@ -156,12 +156,13 @@ private slots:
         QFETCH(QByteArray, list);
         const QString group = save("encoded.csv", list.toStdString());
         const QString folder = m_folder.filePath("encoded");
-        const Outcome outcome = run({"course", "variants", lessonPath(), "--group", group, "--seed",
-                                     "1", "-d", folder, "--force"});
+        const ProcessOutcome outcome = run({"course", "variants", lessonPath(), "--group", group,
+                                            "--seed", "1", "-d", folder, "--force"});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY(has(contentOf(folder + "/assignments.csv"), "\n1,Иван,А-1,"));
-        const Outcome graded = run({"course", "grade", lessonPath(), folder, "--group", group,
-                                    "--answers", folder + "/teacher-best-answers.csv", "--csv"});
+        const ProcessOutcome graded =
+            run({"course", "grade", lessonPath(), folder, "--group", group, "--answers",
+                 folder + "/teacher-best-answers.csv", "--csv"});
         QVERIFY2(graded.status == 0, graded.text().c_str());
         QVERIFY2(has(graded.out, "sparkout-work,Иван,А-1,1,,,"), graded.out.c_str());
     }
@@ -184,7 +185,7 @@ private slots:
             for (int i = 0; i < count; ++i) {
                 QFile::link(large, folder + QStringLiteral("/%1.sparkout-work").arg(i));
             }
-            const Outcome outcome = run({"course", "grade", lessonPath(), folder, "--csv"});
+            const ProcessOutcome outcome = run({"course", "grade", lessonPath(), folder, "--csv"});
             QVERIFY2(outcome.status == 0, outcome.err.c_str());
             QCOMPARE(lines(outcome.out), static_cast<std::size_t>(count) + 1);
             rusage used{};
@@ -208,7 +209,7 @@ private slots:
         process.start(SPARKOUT_CLI, {"course", "grade", lessonPath(), folder, "--csv"});
         QTest::qWait(1500);
         endBySignal(process, SIGINT);
-        const Outcome outcome = outcomeOf(process);
+        const ProcessOutcome outcome = outcomeOf(process);
         QCOMPARE(outcome.status, 130);
         QVERIFY2(outcome.out.starts_with("file,name,group,"), outcome.text().c_str());
         const std::size_t marked = lines(outcome.out) - 1;
@@ -222,7 +223,7 @@ private slots:
         QVERIFY(QDir().mkpath(folder));
         std::ofstream(folder.toStdString() + "/a\xFF.sparkout-work") << "no work";
         for (const char* format : {"--csv", "--json"}) {
-            const Outcome outcome = run({"course", "grade", lessonPath(), folder, format});
+            const ProcessOutcome outcome = run({"course", "grade", lessonPath(), folder, format});
             QVERIFY2(outcome.status == 0, outcome.text().c_str());
         }
         const QString path = m_folder.filePath("bytes.xlsx");
@@ -236,7 +237,7 @@ private slots:
         file["variants"]["inputs"] = {{{"path", "/wheel/dullness"}, {"list", {0.02}}}};
         const QString lesson = save("one.sparkout-lesson", file.dump());
         const QString folder = m_folder.filePath("impossible");
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"course", "variants", lesson, "--group", m_group, "--seed", "1", "-d", folder});
         QCOMPARE(outcome.status, 5);
         QVERIFY2(has(outcome.err, "refused: another variant has the same inputs"),
@@ -249,12 +250,12 @@ private slots:
         file["steps"][0]["points"] = -1;
         file["steps"][5]["inputs"][0]["path"] = "/x";
         const QString lesson = save("faults.sparkout-lesson", file.dump());
-        const Outcome outcome = run({"course", "check", lesson});
+        const ProcessOutcome outcome = run({"course", "check", lesson});
         QCOMPARE(outcome.status, 1);
         QVERIFY(has(outcome.err, ": /steps/0/points: -1 is out of range"));
         const QString twice = save("twice.csv", "A\nB\nA\n");
-        const Outcome list = run({"course", "variants", lessonPath(), "--group", twice, "--seed",
-                                  "1", "-d", m_folder.filePath("none")});
+        const ProcessOutcome list = run({"course", "variants", lessonPath(), "--group", twice,
+                                         "--seed", "1", "-d", m_folder.filePath("none")});
         QCOMPARE(list.status, 1);
         QVERIFY2(has(list.err, "twice.csv:3: A: "), list.err.c_str());
         QCOMPARE(run({"course", "grade", lessonPath(), m_folder.filePath("no folder")}).status, 1);
@@ -262,7 +263,7 @@ private slots:
     }
 
     void aLessonIsCheckedAsGiven() {
-        const Outcome outcome = run({"course", "check", lessonPath(), "--json"});
+        const ProcessOutcome outcome = run({"course", "check", lessonPath(), "--json"});
         QCOMPARE(outcome.status, 0);
         const json steps = json::parse(outcome.out).at("steps");
         QCOMPARE(steps.size(), std::size_t{8});
@@ -278,7 +279,7 @@ private slots:
         json file = json::parse(contentOf(example));
         file["runs"][0]["summary"]["cycle_time_min"] = 1.5;
         const QString edited = save("edited.sparkout", file.dump());
-        const Outcome outcome = run({"course", "check", edited});
+        const ProcessOutcome outcome = run({"course", "check", edited});
         QCOMPARE(outcome.status, 4);
         QVERIFY2(has(outcome.err, "kept run \"Factory\": 1 number is not the engine's: "
                                   "/cycle_time_min 1.5, by the engine 4.5"),
@@ -289,7 +290,7 @@ private slots:
         QVERIFY(surface.at("untrue_runs") == json::array({"Factory"}));
         const json whole = json::parse(run({"course", "check", example, "--json"}).out);
         QVERIFY(whole.at("surfaces").at(0).at("untrue_runs").empty());
-        const Outcome simulated = run({"simulate", edited});
+        const ProcessOutcome simulated = run({"simulate", edited});
         QCOMPARE(simulated.status, 0);
         QVERIFY(has(simulated.err, "kept run \"Factory\""));
     }

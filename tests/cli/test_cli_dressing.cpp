@@ -62,7 +62,7 @@ private slots:
     void textSaysWhatEndsItAndWhatIsBest() {
         json file = dullingSpindle();
         const QString path = save(QStringLiteral("dull.sparkout"), file.dump());
-        Outcome outcome = run({"dressing", path, "--check"});
+        ProcessOutcome outcome = run({"dressing", path, "--check"});
         QCOMPARE(outcome.status, 0);
         for (const char* line : {"parts to a dressing  ", "ends by              part ",
                                  "quickest after       ", "cheapest after       "}) {
@@ -96,7 +96,7 @@ private slots:
                                         {"factors", {{"stock_mm", {{"uniform", {0.19, 0.21}}}}}}};
         const QString path = save(QStringLiteral("batch.sparkout"), file.dump());
         const auto partsOf = [&](const QStringList& arguments) {
-            const Outcome outcome = run(arguments);
+            const ProcessOutcome outcome = run(arguments);
             return outcome.status == 0 ? json::parse(outcome.out).at("parts").get<int>() : -1;
         };
         const int alone = partsOf({"dressing", path, "--json"});
@@ -107,7 +107,8 @@ private slots:
     void whatIsRefused() {
         json file = dullingSpindle();
         file.erase("wear");
-        Outcome outcome = run({"dressing", save(QStringLiteral("sharp.sparkout"), file.dump())});
+        ProcessOutcome outcome =
+            run({"dressing", save(QStringLiteral("sharp.sparkout"), file.dump())});
         QCOMPARE(outcome.status, 1);
         QVERIFY(QByteArray::fromStdString(outcome.err).contains("/wear: not given"));
         QCOMPARE(run({"dressing", QStringLiteral("absent.sparkout")}).status, 1);

@@ -111,7 +111,7 @@ private slots:
         const QString file = save("plunge.sparkout", project.dump());
         const QString good = save("good.csv", table(yielding(), 0));
         const QString shifted = save("shifted.csv", table(yielding(), 80));
-        const Outcome agrees = run({"measured", file, "--data", good, "--json", "--check"});
+        const ProcessOutcome agrees = run({"measured", file, "--data", good, "--json", "--check"});
         QVERIFY2(agrees.status == 0, agrees.text().c_str());
         const json row = json::parse(agrees.out).at("adequacy").at(0);
         QCOMPARE(row.at("quantity").get<std::string>(), std::string("diameter_deviation"));
@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(row.at("verdict").get<std::string>(), std::string("adequate"));
         QVERIFY(row.at("predicted").at("low_um") < row.at("predicted").at("high_um"));
         QVERIFY(row.at("inside").at("count") > 9);
-        const Outcome differs = run({"measured", file, "--data", shifted, "--check"});
+        const ProcessOutcome differs = run({"measured", file, "--data", shifted, "--check"});
         QVERIFY2(differs.status == 4, differs.text().c_str());
         QVERIFY(has(differs.out, "the mean differs from the predicted one"));
         QCOMPARE(run({"measured", file, "--data", shifted}).status, 0);
@@ -128,8 +128,9 @@ private slots:
     void aFitSaysWhatItFinds() {
         const QString file = save("plunge.sparkout", yielding().dump());
         const QString data = save("trace.csv", traces(yielding(), 1.2, 0.9));
-        const Outcome outcome = run({"measured", file, "--data", data, "--fit",
-                                     "compliance,dullness,size_offset,idle_power", "--json"});
+        const ProcessOutcome outcome =
+            run({"measured", file, "--data", data, "--fit",
+                 "compliance,dullness,size_offset,idle_power", "--json"});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         const json fit = json::parse(outcome.out).at("identification");
         QCOMPARE(fit.at("status").get<std::string>(), std::string("fitted"));
@@ -137,7 +138,7 @@ private slots:
         QVERIFY(std::abs(fit.at("values")[1].at("value").get<double>() - 0.9) < 0.05);
         QVERIFY(std::abs(fit.at("values")[3].at("value").get<double>() - 0.5) < 0.05);
         QCOMPARE(fit.at("residuals").size(), std::size_t{2});
-        const Outcome text = run({"measured", file, "--data", data, "--fit", "alpha,beta"});
+        const ProcessOutcome text = run({"measured", file, "--data", data, "--fit", "alpha,beta"});
         QVERIFY2(has(text.out, "alpha: "), text.text().c_str());
     }
 
@@ -149,12 +150,12 @@ private slots:
         const QString data = save("trace.csv", table);
         const QString found = m_folder.filePath(QStringLiteral("found.sparkout"));
         const QStringList fit{"measured", file, "--data", data, "--fit"};
-        const Outcome known =
+        const ProcessOutcome known =
             run(fit + QStringList{"compliance=1~0.0001,dullness,size_offset,idle_power", "--json"});
         const json held = json::parse(known.out).at("identification");
         QVERIFY(std::abs(held.at("values")[0].at("value").get<double>() - 1) < 0.01);
         const QString parameters = QStringLiteral("compliance,dullness,size_offset,idle_power");
-        const Outcome saved = run(fit + QStringList{parameters, "-o", found});
+        const ProcessOutcome saved = run(fit + QStringList{parameters, "-o", found});
         QVERIFY2(saved.status == 0, saved.text().c_str());
         QFile written(found);
         QVERIFY(written.open(QIODevice::ReadOnly));
@@ -181,7 +182,7 @@ private slots:
         }
         // Without values to use nothing is saved.
         const QString none = m_folder.filePath(QStringLiteral("none.sparkout"));
-        const Outcome untold = run(fit + QStringList{"alpha,beta,compliance", "-o", none});
+        const ProcessOutcome untold = run(fit + QStringList{"alpha,beta,compliance", "-o", none});
         QVERIFY(!QFile::exists(none));
         QVERIFY2(has(untold.err, "not saved"), untold.text().c_str());
     }
@@ -211,8 +212,9 @@ private slots:
         const bool fits = alpha > 0;
         const QString found = m_folder.filePath(QStringLiteral("recording.sparkout"));
         QFile::remove(found);
-        const Outcome outcome = run({"measured", project, "--data", table, "--fit",
-                                     "alpha,beta,size_offset,time_shift", "--json", "-o", found});
+        const ProcessOutcome outcome =
+            run({"measured", project, "--data", table, "--fit", "alpha,beta,size_offset,time_shift",
+                 "--json", "-o", found});
         QVERIFY2(outcome.status == (fits ? 0 : 4), outcome.text().c_str());
         QCOMPARE(QFile::exists(found), fits);
         const json fit = json::parse(outcome.out).at("identification");
@@ -236,7 +238,7 @@ private slots:
         const QString found = m_folder.filePath(QStringLiteral("late.sparkout"));
         const QStringList fit{"measured", file, "--data", save("late.csv", late), "-o", found};
         const QString parameters = QStringLiteral("alpha,beta,size_offset");
-        const Outcome without = run(fit + QStringList{"--fit", parameters, "--json"});
+        const ProcessOutcome without = run(fit + QStringList{"--fit", parameters, "--json"});
         QVERIFY2(without.status == 4, without.text().c_str());
         QVERIFY2(has(without.err, "not saved") && !QFile::exists(found), without.err.c_str());
         const json refused = json::parse(without.out).at("identification");
@@ -245,7 +247,7 @@ private slots:
         QCOMPARE(refused.at("values").size(), std::size_t{3});
         QCOMPARE(refused.at("out_of_step")[0].at("parameter").get<std::string>(),
                  std::string("time_shift"));
-        const Outcome with = run(fit + QStringList{"--fit", parameters + ",time_shift"});
+        const ProcessOutcome with = run(fit + QStringList{"--fit", parameters + ",time_shift"});
         QVERIFY2(with.status == 0 && QFile::exists(found), with.text().c_str());
     }
 
@@ -257,7 +259,7 @@ private slots:
                               "--data",   save("dull.csv", traces(yielding(), 1, 5.2)),
                               "--fit",    "dullness,size_offset,idle_power",
                               "-o",       found};
-        const Outcome text = run(fit);
+        const ProcessOutcome text = run(fit);
         QVERIFY2(text.status == 4, text.text().c_str());
         QVERIFY2(has(text.out, "does not fit: dullness: 5.") && has(text.out, "; usual: 0.25"),
                  text.out.c_str());
@@ -275,7 +277,7 @@ private slots:
         const QStringList fit{"measured", file,
                               "--data",   save("spike.csv", table),
                               "--fit",    "compliance,dullness,size_offset,idle_power"};
-        const Outcome text = run(fit);
+        const ProcessOutcome text = run(fit);
         QVERIFY2(has(text.out, "over range: size at the gauge: "), text.text().c_str());
         const json residuals =
             json::parse(run(fit + QStringList{"--json"}).out).at("identification").at("residuals");
@@ -289,7 +291,7 @@ private slots:
         const QString file = save("plunge.sparkout", yielding().dump());
         const QString first = save("first.csv", traces(yielding(), 1.2, 0.9, 0.1));
         const QString found = m_folder.filePath(QStringLiteral("calibrated.sparkout"));
-        const Outcome saved =
+        const ProcessOutcome saved =
             run({"measured", file, "--data", first, "--fit",
                  "compliance,dullness,size_offset,idle_power,time_shift", "-o", found});
         QVERIFY2(saved.status == 0, saved.text().c_str());
@@ -305,7 +307,7 @@ private slots:
                                  + number("measured") + " s, predicted " + number("predicted");
         const bool agrees = row.at("agrees").get<bool>();
         const std::string verdict = agrees ? ": agrees\n" : ": does not agree\n";
-        const Outcome checked = run(compared + QStringList{"--check"});
+        const ProcessOutcome checked = run(compared + QStringList{"--check"});
         QCOMPARE(checked.status, agrees ? 0 : 4);
         QVERIFY2(has(checked.out, said) && has(checked.out, verdict), checked.text().c_str());
     }
@@ -316,7 +318,7 @@ private slots:
         const QStringList command{"measured", path,
                                   "--data",   save("sizes.csv", sizesOf(traces(file, 1, 1))),
                                   "--fit",    "compliance,flow_stress,size_offset"};
-        const Outcome outcome = run(command);
+        const ProcessOutcome outcome = run(command);
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY2(has(outcome.out,
                      "determined only as a product: compliance, flow_stress; record the wheel's "
@@ -334,7 +336,7 @@ private slots:
                                           {"count", 50},
                                           {"mean_um", 900},
                                           {"half_width_um", 0.5}}};
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"measured", save("held.sparkout", file.dump()), "--json", "--check"});
         QVERIFY2(outcome.status == 4, outcome.text().c_str());
         const json row = json::parse(outcome.out).at("adequacy").at(0);
@@ -344,11 +346,11 @@ private slots:
 
     void refusals() {
         const QString file = save("plunge.sparkout", yielding().dump());
-        const Outcome nothing = run({"measured", file});
+        const ProcessOutcome nothing = run({"measured", file});
         QCOMPARE(nothing.status, 1);
         QVERIFY(has(nothing.err, "nothing is measured"));
         const QString wrong = save("wrong.csv", "Part;Diameter [mm]\n1;29,9\n2;abc\n");
-        const Outcome fault = run({"measured", file, "--data", wrong});
+        const ProcessOutcome fault = run({"measured", file, "--data", wrong});
         QCOMPARE(fault.status, 1);
         QVERIFY2(has(fault.err, "wrong.csv:3:2: "), fault.err.c_str());
         QCOMPARE(run({"measured", file, "--data", "/no/such/file.csv"}).status, 1);

@@ -27,8 +27,8 @@ private slots:
 
     void writesTheStartingCycleOfTheDrawing() {
         const QString file = m_folder.filePath("seat.sparkout");
-        const Outcome outcome = run({"new", "35k6", "--length", "28", "--stock", "0.15", "--ra",
-                                     "0.8", "--machine", "3М153", "-o", file});
+        const ProcessOutcome outcome = run({"new", "35k6", "--length", "28", "--stock", "0.15",
+                                            "--ra", "0.8", "--machine", "3М153", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY(has(outcome.out, "rough depth limited by"));
         QVERIFY(has(outcome.out, "fit for every stock of "));
@@ -48,7 +48,7 @@ private slots:
 
     void whatBoundsTheRoughDepthIsStatedInNumbers() {
         const QString file = m_folder.filePath("coarse.sparkout");
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"new", "120e9", "--length", "400", "--stock", "0.2", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         QVERIFY(has(outcome.out, "rough depth limited by the depth of the burnt layer: "));
@@ -58,7 +58,7 @@ private slots:
 
     void boreIsGroundOnTheInternalMachine() {
         const QString file = m_folder.filePath("bore.sparkout");
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"new", "60H7", "--length", "70", "--stock", "0.15", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         const Project project = projectOf(file);
@@ -70,7 +70,7 @@ private slots:
 
     void operationAndShoulderAreTaken() {
         const QString file = m_folder.filePath("shoulder.sparkout");
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"new", "40h6", "--length", "200", "--stock", "0.2", "--operation", "traverse",
                  "--shoulder", "tailstock", "-o", file});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
@@ -83,7 +83,7 @@ private slots:
     void aFileThatIsThereIsKeptWithoutForce() {
         const QString file = save(QStringLiteral("kept.sparkout"), "mine");
         QStringList arguments{"new", "35k6", "--length", "28", "--stock", "0.15", "-o", file};
-        const Outcome outcome = run(arguments);
+        const ProcessOutcome outcome = run(arguments);
         QCOMPARE(outcome.status, 1);
         QVERIFY(has(outcome.err, "--force"));
         QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
@@ -104,7 +104,7 @@ private slots:
 
     void usageErrors() {
         QFETCH(QStringList, arguments);
-        const Outcome outcome = run(arguments);
+        const ProcessOutcome outcome = run(arguments);
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
     }
 
@@ -150,7 +150,8 @@ private slots:
         QFETCH(QString, named);
         QFETCH(QString, allowed);
         const QString file = m_folder.filePath("refused.sparkout");
-        const Outcome outcome = run(QStringList{"new"} + arguments + QStringList{"-o", file});
+        const ProcessOutcome outcome =
+            run(QStringList{"new"} + arguments + QStringList{"-o", file});
         QCOMPARE(outcome.status, 1);
         const QString said = QString::fromStdString(outcome.err);
         QVERIFY2(said.contains(named) && said.contains(allowed), outcome.err.c_str());

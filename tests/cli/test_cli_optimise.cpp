@@ -70,7 +70,7 @@ private slots:
     }
     void usageErrors() {
         QFETCH(QStringList, arguments);
-        const Outcome outcome = optimize(arguments);
+        const ProcessOutcome outcome = optimize(arguments);
         QCOMPARE(outcome.status, 2);
         QCOMPARE(lines(outcome.err), std::size_t{1});
         QVERIFY(outcome.err.starts_with("sparkout-cli: "));
@@ -118,7 +118,7 @@ private slots:
         json file = shaft();
         file.merge_patch(json::parse(patch.toStdString()));
         const QString saved = save("refused.sparkout", file);
-        const Outcome outcome = optimize({saved});
+        const ProcessOutcome outcome = optimize({saved});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
         QVERIFY2(has(outcome.err, (saved + ": " + path).toStdString()), outcome.err.c_str());
@@ -232,7 +232,7 @@ private slots:
                      && !has(text, "waviness"),
                  text.c_str());
         file["part"]["tolerance"]["radial_runout_um"] = 1e-6; // which no cycle meets
-        const Outcome none = optimize({save("no_ratio.sparkout", file)});
+        const ProcessOutcome none = optimize({save("no_ratio.sparkout", file)});
         QCOMPARE(none.status, 5);
         QVERIFY2(has(none.err, "No cycle of the grid meets every requirement.")
                      && has(none.err, "Work speeds left out"),
@@ -266,7 +266,7 @@ private slots:
     void theWrittenCycleHoldsAndTakesTheTimeStated() {
         const QString written = m_folder.filePath("best.sparkout");
         const json answer = answerOf({m_shaft, "--json", "-o", written});
-        const Outcome outcome = run({"simulate", written, "--check", "--json"});
+        const ProcessOutcome outcome = run({"simulate", written, "--check", "--json"});
         QCOMPARE(outcome.status, 0);
         const double time_min = json::parse(outcome.out).at("cycle_time_min").get<double>();
         QVERIFY(time_min == answer.at("cycle_time_min")); // to the last digit
@@ -291,7 +291,7 @@ private slots:
 
     void theRuleAsPublishedSaysThatThereMayBeACycle() {
         const QString saved = save("soft.sparkout", softShaft());
-        const Outcome outcome = optimize({saved, "--method", "dp"});
+        const ProcessOutcome outcome = optimize({saved, "--method", "dp"});
         QCOMPARE(outcome.status, 6);
         QVERIFY(outcome.out.empty());
         QVERIFY(has(outcome.err, "The heuristic found no cycle that meets every requirement"));
@@ -301,7 +301,7 @@ private slots:
 
     void theMethodsForPlungeRefuseTraverseCycles() {
         for (const char* method : {"dp", "labels"}) {
-            const Outcome outcome = optimize({m_shaft, "--method", method});
+            const ProcessOutcome outcome = optimize({m_shaft, "--method", method});
             QCOMPARE(outcome.status, 1);
             QVERIFY(outcome.out.empty());
             QVERIFY2(has(outcome.err, "/operation: --method " + std::string(method)
@@ -327,7 +327,7 @@ private slots:
         QVERIFY(answer.at("refined").at("grid_bound_time_min") == grid.at("bound_time_min"));
         QVERIFY(answer.at("cycle_time_min") < grid.at("cycle_time_min"));
         QVERIFY(answer.at("bound_time_min") == answer.at("limit_time_min"));
-        const Outcome alone = run({"simulate", written, "--check", "--json"});
+        const ProcessOutcome alone = run({"simulate", written, "--check", "--json"});
         QCOMPARE(alone.status, 0);
         const double time_min = json::parse(alone.out).at("cycle_time_min").get<double>();
         QVERIFY(time_min == answer.at("cycle_time_min")); // to the last digit
@@ -363,7 +363,7 @@ private slots:
         for (const char* key : {"work_speed_rpm", "dwell_entry_s"}) {
             QVERIFY(best.at("machine").at(key) == answer.at("machine").at(key));
         }
-        const Outcome alone = run({"simulate", written, "--check", "--json"});
+        const ProcessOutcome alone = run({"simulate", written, "--check", "--json"});
         QCOMPARE(alone.status, 0);
         const double time_min = json::parse(alone.out).at("cycle_time_min").get<double>();
         QVERIFY(time_min == answer.at("cycle_time_min")); // to the last digit
@@ -407,7 +407,7 @@ private slots:
              {SearchObjective::cost, SearchObjective::wheel_life}) {
             const bool isCost = objective == SearchObjective::cost;
             const QString file = saved(objective);
-            const Outcome outcome = optimize({file, "--json"});
+            const ProcessOutcome outcome = optimize({file, "--json"});
             QVERIFY2(outcome.status == 0, outcome.err.c_str());
             const json answer = json::parse(outcome.out);
             const IntervalSummary engine = searchInterval(project, SurfaceWear(setup, 0), {});
@@ -427,7 +427,7 @@ private slots:
             const std::string parts = std::to_string(engine.held->parts);
             QVERIFY2(has(text, "Parts per dressing: " + parts + ";") && has(text, "The next part "),
                      text.c_str());
-            const Outcome robust = optimize({file, "--robust"});
+            const ProcessOutcome robust = optimize({file, "--robust"});
             QVERIFY(robust.status != 0);
             QVERIFY2(has(robust.err, "/optimisation/objective: "), robust.err.c_str());
         }
@@ -451,7 +451,7 @@ private slots:
         file["machine"]["wheel_drive_kw"] = 0.001;
         const QString saved = save("weak.sparkout", file);
         const QString written = m_folder.filePath("never.sparkout");
-        const Outcome outcome = optimize({saved, "-o", written});
+        const ProcessOutcome outcome = optimize({saved, "-o", written});
         QCOMPARE(outcome.status, 5);
         QVERIFY(outcome.out.empty());
         QVERIFY2(has(outcome.err, "No cycle of the grid meets every requirement. Excluded most "
@@ -544,11 +544,11 @@ private slots:
         QVERIFY(robust.at("least_relative_margin") < answer.at("least_relative_margin"));
         const std::string robustText = optimize({saved, "--robust"}).out;
         QVERIFY2(has(robustText, "over all required cases, in "), robustText.c_str());
-        const Outcome refined = optimize({saved, "--refine"});
+        const ProcessOutcome refined = optimize({saved, "--refine"});
         QVERIFY(refined.status != 0);
         QVERIFY2(has(refined.err, "/optimisation/margin_within_min"), refined.err.c_str());
         file["optimisation"]["margin_within_min"] = 0.99 * least_min;
-        const Outcome none = optimize({save("short.sparkout", file)});
+        const ProcessOutcome none = optimize({save("short.sparkout", file)});
         QVERIFY(none.status != 0);
         QVERIFY2(has(none.err, "that takes at most"), none.err.c_str());
     }
@@ -608,13 +608,13 @@ private slots:
             QTest::qWait(500);
             QCOMPARE(process.state(), QProcess::Running);
             endBySignal(process, signal);
-            const Outcome outcome = outcomeOf(process);
+            const ProcessOutcome outcome = outcomeOf(process);
             QCOMPARE(outcome.status, 128 + signal);
             QVERIFY2(has(outcome.err, "Stopped before a cycle that meets every"),
                      outcome.err.c_str());
             QVERIFY(json::parse(outcome.out).at("status") == "stopped");
         }
-        const Outcome late = optimize({saved, "--time-limit", "0.5", "--json"});
+        const ProcessOutcome late = optimize({saved, "--time-limit", "0.5", "--json"});
         QCOMPARE(late.status, 6);
         QVERIFY(json::parse(late.out).at("status") == "stopped");
     }
@@ -677,7 +677,7 @@ private:
         return file;
     }
 
-    static Outcome optimize(const QStringList& arguments) {
+    static ProcessOutcome optimize(const QStringList& arguments) {
         return run(QStringList{"optimize"} + arguments);
     }
     static json answerOf(const QStringList& arguments) {
@@ -687,7 +687,7 @@ private:
     [[nodiscard]] QString save(const QString& name, const json& file) const {
         return FolderTest::save(name, file.dump());
     }
-    static void checkStopped(const Outcome& outcome) {
+    static void checkStopped(const ProcessOutcome& outcome) {
         QCOMPARE(outcome.status, 0);
         const json answer = json::parse(outcome.out);
         QVERIFY(answer.at("status") == "stopped");

@@ -115,7 +115,7 @@ private slots:
         QFETCH(QStringList, words);
         QFETCH(QStringList, options);
         for (const char* help : {"--help", "-h"}) {
-            const Outcome outcome = run(words + QStringList{QString::fromUtf8(help)});
+            const ProcessOutcome outcome = run(words + QStringList{QString::fromUtf8(help)});
             QVERIFY2(outcome.status == 0 && outcome.err.empty(), outcome.text().c_str());
             const QString text = QString::fromStdString(outcome.out);
             QVERIFY2(text.contains("sparkout-cli " + words.join(u' ')), outcome.out.c_str());
@@ -171,7 +171,7 @@ private slots:
     }
 
     void theProgramSaysWhatIsWrongWithANumber() {
-        const Outcome outcome = run({"batch", "a", "--parts", "1000001"});
+        const ProcessOutcome outcome = run({"batch", "a", "--parts", "1000001"});
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
         QCOMPARE(outcome.err, std::string("sparkout-cli: --parts needs a number from 1 to 1000000, "
                                           "not “1000001”; see sparkout-cli --help\n"));
@@ -220,12 +220,12 @@ private slots:
         const Program& program = commandLineProgram();
         for (const Command* command : withAllBelow(program)) {
             const QStringList words = wordsTo(program, *command);
-            const Outcome near = run(words + QStringList{"--hepl"});
+            const ProcessOutcome near = run(words + QStringList{"--hepl"});
             QVERIFY2(isUsageError(near), near.text().c_str());
             QVERIFY2(near.err.find("unknown option --hepl (did you mean --help?)")
                          != std::string::npos,
                      near.err.c_str());
-            const Outcome far = run(words + QStringList{"--qqqqqqqq"});
+            const ProcessOutcome far = run(words + QStringList{"--qqqqqqqq"});
             QVERIFY2(isUsageError(far), far.text().c_str());
             QVERIFY2(far.err.find("did you mean") == std::string::npos, far.err.c_str());
         }

@@ -44,7 +44,7 @@ private slots:
         file.erase("runs");
         file["part"]["lower_deviation_um"] = file["part"]["upper_deviation_um"].get<double>() - 0.3;
         const QString narrow = save(QStringLiteral("narrow.sparkout"), file.dump());
-        const Outcome outcome = run({"phases", narrow, "--check"});
+        const ProcessOutcome outcome = run({"phases", narrow, "--check"});
         QCOMPARE(outcome.status, 4);
         QVERIFY(QByteArray::fromStdString(outcome.out).contains("unfit for stocks of "));
         QVERIFY(!QByteArray::fromStdString(outcome.out).contains("fit for every stock"));
@@ -54,7 +54,8 @@ private slots:
     void oneStockIsARangeToo() {
         const Project project = projectOf(example);
         const QString stock = QString::number(project.part->stock_mm, 'g', 17);
-        const Outcome outcome = run({"phases", example, "--from", stock, "--to", stock, "--json"});
+        const ProcessOutcome outcome =
+            run({"phases", example, "--from", stock, "--to", stock, "--json"});
         QCOMPARE(outcome.status, 0);
         QCOMPARE(json::parse(outcome.out).at("pieces").size(), std::size_t{1});
     }
@@ -64,7 +65,7 @@ private slots:
         file.erase("runs");
         file["gauge"]["control"] = "position";
         const QString position = save(QStringLiteral("position.sparkout"), file.dump());
-        const Outcome outcome = run({"phases", position});
+        const ProcessOutcome outcome = run({"phases", position});
         QCOMPARE(outcome.status, 1);
         QVERIFY(QByteArray::fromStdString(outcome.err).contains("/gauge/control"));
         QCOMPARE(run({"phases", example, "--from", "2", "--to", "1"}).status, 2);

@@ -32,12 +32,12 @@ private slots:
 
     void usageErrors() {
         QFETCH(QStringList, arguments);
-        const Outcome outcome = run(arguments);
+        const ProcessOutcome outcome = run(arguments);
         QVERIFY2(isUsageError(outcome), outcome.text().c_str());
     }
 
     void helpAndVersionSucceed() {
-        const Outcome help = run({"--help"});
+        const ProcessOutcome help = run({"--help"});
         QCOMPARE(help.status, 0);
         for (const char* word : {"simulate", "validate", "examples", "--trace", "Exit status"}) {
             QVERIFY2(has(help.out, word), word);
@@ -54,7 +54,7 @@ private slots:
 
     void validFilesPass() {
         QFETCH(QString, file);
-        const Outcome outcome = run({"validate", file});
+        const ProcessOutcome outcome = run({"validate", file});
         const ReadResult read = readProject(samples::readText(file.toStdString()));
         QCOMPARE(outcome.status, batchFaults(*read.project).empty() ? 0 : 1);
         QVERIFY(outcome.out.empty());
@@ -62,11 +62,11 @@ private slots:
     }
 
     void aFileThatIsNoProjectIsSaidToBeNone() {
-        const Outcome picture = run({"validate", save("a.png", "\x89PNG\r\n\x1a\n")});
+        const ProcessOutcome picture = run({"validate", save("a.png", "\x89PNG\r\n\x1a\n")});
         QCOMPARE(picture.status, 1);
         QVERIFY2(has(picture.err, "this is not a Sparkout project: the text is not valid JSON"),
                  picture.err.c_str());
-        const Outcome slip = run({"validate", save("slip.sparkout", "{\n  \"part\": }")});
+        const ProcessOutcome slip = run({"validate", save("slip.sparkout", "{\n  \"part\": }")});
         QVERIFY2(has(slip.err, "slip.sparkout: the text is not valid JSON in UTF-8: line 2"),
                  slip.err.c_str());
     }
@@ -78,7 +78,7 @@ private slots:
         file["machine"].erase("work_speed_rpm");
         const QString path = save("three.sparkout", file.dump());
         for (const char* command : {"validate", "simulate"}) {
-            const Outcome outcome = run({command, path});
+            const ProcessOutcome outcome = run({command, path});
             QCOMPARE(outcome.status, 1);
             QVERIFY(outcome.out.empty());
             QCOMPARE(lines(outcome.err), std::size_t{3});
@@ -115,7 +115,7 @@ private slots:
     void unreadableFilesExit1() {
         QFETCH(QString, file);
         for (const char* command : {"validate", "simulate"}) {
-            const Outcome outcome = run({command, file});
+            const ProcessOutcome outcome = run({command, file});
             QCOMPARE(outcome.status, 1);
             QCOMPARE(lines(outcome.err), std::size_t{1});
             QVERIFY2(outcome.err.starts_with(file.toStdString() + ": "), outcome.err.c_str());
@@ -134,7 +134,7 @@ private slots:
 
     void hostileFilesAreRefusedLineByLine() {
         QFETCH(QString, file);
-        const Outcome outcome = run({"validate", file});
+        const ProcessOutcome outcome = run({"validate", file});
         const std::string content = samples::readText(file.toStdString());
         const bool accepted = file.contains("/accepted");
         QCOMPARE(outcome.status, accepted ? 0 : 1);
@@ -154,7 +154,7 @@ private slots:
         for (int i = 0; i < 5000; ++i) {
             file["k" + std::to_string(i)] = i;
         }
-        const Outcome outcome = run({"validate", save("flood.sparkout", file.dump())});
+        const ProcessOutcome outcome = run({"validate", save("flood.sparkout", file.dump())});
         QCOMPARE(outcome.status, 1);
         QCOMPARE(lines(outcome.err), limits::issues + 1);
         QVERIFY(outcome.err.ends_with("no further faults are listed\n"));

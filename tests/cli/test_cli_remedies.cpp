@@ -79,7 +79,7 @@ private slots:
     void peopleReadALineForEach() {
         Project dull = projectOf(examplePath("wheel-dull"));
         dull.machine->limits.work_speed_rpm = std::vector<double>{160, 160, 5}; // a feed is offered
-        const Outcome outcome = run({"remedies", save("dull.sparkout", writeProject(dull))});
+        const ProcessOutcome outcome = run({"remedies", save("dull.sparkout", writeProject(dull))});
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.out.starts_with("diameter_min is not met in "), outcome.out.c_str());
         QVERIFY2(has(outcome.out, " of stage "), outcome.out.c_str());
@@ -104,7 +104,7 @@ private slots:
         untrue["machine"]["geometric_runout_um"] = 6; // more than the tolerance alone
         untrue["part"]["tolerance"]["radial_runout_um"] = 5;
         const QString file = save("untrue.sparkout", untrue.dump());
-        const Outcome outcome = run({"remedies", file});
+        const ProcessOutcome outcome = run({"remedies", file});
         QCOMPARE(outcome.status, 0);
         QVERIFY2(has(outcome.out, "Radial runout"), outcome.out.c_str());
         const json answer = json::parse(run({"remedies", file, "--json"}).out);
@@ -122,7 +122,7 @@ private slots:
         slow.part->radii_per_section = 360;
         slow.part->tolerance.radial_runout_um = 1.5;
         const QString file = save("slow.sparkout", writeProject(slow));
-        Outcome outcome;
+        ProcessOutcome outcome;
         for (int delay_ms = 100; delay_ms < 20'000;
              delay_ms += delay_ms / 4) { // past the cycle itself
             QProcess process;

@@ -23,7 +23,7 @@ json grid() {
 }
 
 /// What the answer is, without what depends on the order of the threads.
-json answerOf(const Outcome& outcome) {
+json answerOf(const ProcessOutcome& outcome) {
     json answer = json::parse(outcome.out, nullptr, false);
     if (answer.is_object()) {
         answer.erase("visits");
@@ -58,7 +58,7 @@ private slots:
     void killedAtAnyMomentItGivesTheSameAnswer() {
         QElapsedTimer timer;
         timer.start();
-        const Outcome whole = run(command({}));
+        const ProcessOutcome whole = run(command({}));
         QCOMPARE(whole.status, 0);
         const auto took_ms = static_cast<int>(timer.elapsed());
         const QString file = m_folder.filePath("progress.json");
@@ -73,7 +73,7 @@ private slots:
             process.waitForFinished(100 + static_cast<int>(random.bounded(took_ms)));
             if (process.state() == QProcess::NotRunning) {
                 QCOMPARE(process.exitCode(), 0);
-                const Outcome done{0, process.readAllStandardOutput().toStdString(), {}};
+                const ProcessOutcome done{0, process.readAllStandardOutput().toStdString(), {}};
                 QVERIFY(answerOf(done) == answerOf(whole));
                 QFile::remove(file); // from the beginning again
                 continue;
@@ -86,7 +86,7 @@ private slots:
             QVERIFY(evaluationsIn(state) >= before);
             gainedOn += evaluationsIn(state) > before && before > 0;
         }
-        const Outcome last = run(command({"--resume", file}));
+        const ProcessOutcome last = run(command({"--resume", file}));
         QCOMPARE(last.status, 0);
         QVERIFY(answerOf(last) == answerOf(whole));
         qInfo("killed %d times of %d, in %d of them behind what was done before", killed, kills,
@@ -135,7 +135,7 @@ private slots:
             changed["part"]["stock_mm"] = 0.13;
             write(small, QByteArray::fromStdString(changed.dump()));
         }
-        const Outcome refused =
+        const ProcessOutcome refused =
             run(QStringList{"optimize", small, "--method", "full", "--resume", file} + options);
         QCOMPARE(refused.status, 1);
         QVERIFY2(has(refused.err, said.toStdString()), refused.err.c_str());
@@ -153,7 +153,7 @@ private slots:
         changed[changed.indexOf("\"evaluations\":") + 14] ^= 1;
         const auto answer = [&](const QByteArray& bytes) {
             write(file, bytes);
-            const Outcome outcome = run(asked);
+            const ProcessOutcome outcome = run(asked);
             const bool stays = bytesIn(file) == bytes;
             return outcome.status == 1 && stays ? outcome.err : "taken: " + outcome.text();
         };
@@ -178,8 +178,8 @@ private slots:
         QCOMPARE(run({"optimize", m_project, "--method", "full", "--resume"}).status, 2);
         QCOMPARE(run({"optimize", m_project, "--method", "full", "--resume", m_project}).status, 2);
         QVERIFY(!QFile::exists(file));
-        const Outcome nowhere = run({"optimize", m_project, "--method", "full", "--resume",
-                                     m_folder.filePath("no/folder/p.json")});
+        const ProcessOutcome nowhere = run({"optimize", m_project, "--method", "full", "--resume",
+                                            m_folder.filePath("no/folder/p.json")});
         QCOMPARE(nowhere.status, 1); // before the search, not after it
         QVERIFY(!nowhere.err.empty());
     }

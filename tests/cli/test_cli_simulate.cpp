@@ -65,7 +65,7 @@ private slots:
         const SimulationResult result = simulate(projectOf(file));
         const auto constraints = evaluateConstraints(result);
         const Judgement judgement = judge(result, constraints, judgeStocks(result));
-        const Outcome outcome = run({"simulate", file, "--json"});
+        const ProcessOutcome outcome = run({"simulate", file, "--json"});
         const json stated = json::parse(judgedResultJson(result, constraints, judgement));
         QVERIFY(json::parse(outcome.out).at("judged") == stated.at("judged"));
         const std::string headline = JudgementWording().headline(judgement);
@@ -78,7 +78,7 @@ private slots:
         const BatchStatistics statistics = runBatch(project).statistics;
         const json alone = json::parse(run({"simulate", file, "--json"}).out).at("judged");
         QVERIFY(alone.at("batch").is_null());
-        const Outcome outcome = run({"simulate", file, "--batch", "--json"});
+        const ProcessOutcome outcome = run({"simulate", file, "--batch", "--json"});
         QCOMPARE(outcome.status, 0);
         const json batch = json::parse(outcome.out).at("judged").at("batch");
         QCOMPARE(batch.at("parts").get<std::int64_t>(), statistics.parts);
@@ -95,7 +95,7 @@ private slots:
         json& mean = moved["measured"]["summaries"][0]["mean_um"];
         mean = mean.get<double>() + 20;
         const QString file = save(QStringLiteral("moved.sparkout"), moved.dump());
-        const Outcome outcome = run({"simulate", file, "--batch", "--json"});
+        const ProcessOutcome outcome = run({"simulate", file, "--batch", "--json"});
         const json judged = json::parse(outcome.out).at("judged");
         const BatchJudgement by = judgeBatchOf(projectOf(file));
         QVERIFY(by.batch && by.measured);
@@ -126,7 +126,7 @@ private slots:
             narrow["part"]["lower_deviation_um"] = tried.part->lower_deviation_um;
         }
         QVERIFY(isFound);
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"simulate", save(QStringLiteral("narrow.sparkout"), narrow.dump()), "--check",
                  "--json"});
         QCOMPARE(outcome.status, 0);
@@ -139,7 +139,7 @@ private slots:
     void textNamesTheRequirements() {
         json file = samples::sample("complete");
         file["title"] = "a\x1b[2Jb";
-        const Outcome outcome = run({"simulate", save("title.sparkout", file.dump())});
+        const ProcessOutcome outcome = run({"simulate", save("title.sparkout", file.dump())});
         QCOMPARE(outcome.status, 0);
         QVERIFY(outcome.out.starts_with("a\\u001B[2Jb\n"));
         for (const std::string& word : samples::listOf(

@@ -47,9 +47,9 @@ private slots:
             arguments.insert(1, file);
             return run(arguments + more);
         };
-        const Outcome own = on(m_second, {});
+        const ProcessOutcome own = on(m_second, {});
         for (const char* name : {"2", "surface B"}) {
-            const Outcome one = on(m_file, {"--surface", QString::fromUtf8(name)});
+            const ProcessOutcome one = on(m_file, {"--surface", QString::fromUtf8(name)});
             QCOMPARE(one.status, own.status);
             QCOMPARE(withoutTimes(one.out), withoutTimes(own.out));
         }
@@ -64,7 +64,7 @@ private slots:
             sum_min += one.at("cycle_time_min").get<double>();
             QVERIFY(one.at("name") == (i == 0 ? "surface A" : "surface B"));
             one.erase("name");
-            const Outcome own = run({"simulate", i == 0 ? m_first : m_second, "--json"});
+            const ProcessOutcome own = run({"simulate", i == 0 ? m_first : m_second, "--json"});
             QVERIFY(one == json::parse(own.out));
         }
         const json part = answer.at("part");
@@ -74,7 +74,7 @@ private slots:
     }
 
     void textsOfAllHaveHeadings() {
-        const Outcome all = run({"simulate", m_file});
+        const ProcessOutcome all = run({"simulate", m_file});
         const auto first = all.out.find("surface 1  surface A"),
                    second = all.out.find("surface 2  surface B");
         QVERIFY(first != std::string::npos && second != std::string::npos && first < second);
@@ -84,13 +84,13 @@ private slots:
 
     void everySurfaceIsOptimisedIntoOneFile() {
         const QString out = m_folder.filePath("best.sparkout");
-        const Outcome all = run({"optimize", m_file, "--json", "-o", out});
+        const ProcessOutcome all = run({"optimize", m_file, "--json", "-o", out});
         QCOMPARE(all.status, 0);
         const json answers = json::parse(all.out).at("surfaces");
         const ReadSetup best = readSetup(samples::readText(out.toStdString()));
         QVERIFY(best.setup && best.setup->surfaces.size() == 2);
         for (std::size_t i = 0; i < 2; ++i) {
-            const Outcome again =
+            const ProcessOutcome again =
                 run({"simulate", out, "--surface", QString::number(i + 1), "--json", "--check"});
             QCOMPARE(again.status, 0);
             QVERIFY(json::parse(again.out).at("cycle_time_min")
@@ -104,7 +104,7 @@ private slots:
         strict["part"]["tolerance"]["radial_runout_um"] = 1e-6;
         const QString file = save("hard.sparkout", setup_samples::setupOf({m_one, strict}).dump());
         const QString out = m_folder.filePath("half.sparkout");
-        const Outcome half = run({"optimize", file, "-o", out});
+        const ProcessOutcome half = run({"optimize", file, "-o", out});
         QCOMPARE(half.status, 5);
         QVERIFY2(has(half.err, "surface 2 surface B"), half.err.c_str());
         const json saved = json::parse(samples::readText(out.toStdString())).at("surfaces");
@@ -119,7 +119,7 @@ private slots:
         const QString file =
             save("endless.sparkout", setup_samples::setupOf({first, second}).dump());
         const QString out = m_folder.filePath("found.sparkout");
-        const Outcome stopped = interruptedWithAnAnswer({file, "-o", out});
+        const ProcessOutcome stopped = interruptedWithAnAnswer({file, "-o", out});
         QCOMPARE(stopped.status, 0);
         QVERIFY(has(stopped.out, "surface 1  surface A"));
         QVERIFY(!has(stopped.out, "surface 2  surface B"));
@@ -136,7 +136,7 @@ private slots:
         const json answer = json::parse(run({"simulate", saved, "--json"}).out);
         QCOMPARE(answer.at("surfaces").size(), 1u);
         QCOMPARE(answer.at("part").at("auxiliary_time_min").get<double>(), 0.5);
-        const Outcome alone = run({"simulate", saved, "--surface", "1", "--json"});
+        const ProcessOutcome alone = run({"simulate", saved, "--surface", "1", "--json"});
         QCOMPARE(alone.out, run({"simulate", m_first, "--json"}).out);
     }
 
@@ -146,7 +146,7 @@ private slots:
         const QString file =
             save("strict.sparkout", setup_samples::setupOf({m_one, strict, m_one}).dump());
         QCOMPARE(run({"simulate", file}).status, 0);
-        const Outcome checked = run({"simulate", file, "--check", "--json"});
+        const ProcessOutcome checked = run({"simulate", file, "--check", "--json"});
         QCOMPARE(checked.status, 4);
         QVERIFY(json::parse(checked.out).at("part").at("holds") == false);
     }
@@ -157,12 +157,12 @@ private slots:
              {QStringList{"simulate", m_file, "--trace", csv},
               QStringList{"batch", m_file, "--rows", csv}, QStringList{"batch", m_file, "--csv"},
               QStringList{"sweep", m_file, "--csv"}}) {
-            const Outcome outcome = run(arguments);
+            const ProcessOutcome outcome = run(arguments);
             QCOMPARE(outcome.status, 2);
             QVERIFY2(has(outcome.err, "--surface"), outcome.err.c_str());
         }
         QVERIFY(!QFile::exists(csv));
-        const Outcome strange = run({"simulate", m_file, "--surface", "seat"});
+        const ProcessOutcome strange = run({"simulate", m_file, "--surface", "seat"});
         QCOMPARE(strange.status, 2);
         QVERIFY2(has(strange.err, "1 surface A, 2 surface B"), strange.err.c_str());
         QCOMPARE(run({"simulate", m_first, "--surface", "1"}).status, 0);

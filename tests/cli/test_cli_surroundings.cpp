@@ -28,7 +28,7 @@ private slots:
         QProcess full;
         full.setStandardOutputFile("/dev/full");
         full.start(SPARKOUT_CLI, {"simulate", samplePath("complete"), "--json"});
-        const Outcome outcome = outcomeOf(full);
+        const ProcessOutcome outcome = outcomeOf(full);
         QCOMPARE(outcome.status, 1);
         QVERIFY(has(outcome.err, "standard output cannot be written"));
         // A closed pipe: the reader is gone before the program starts.
@@ -71,7 +71,7 @@ private slots:
 
     void examplesAreWrittenAndRun() {
         const QString folder = m_folder.filePath("examples");
-        const Outcome outcome = run({"examples", folder});
+        const ProcessOutcome outcome = run({"examples", folder});
         QCOMPARE(outcome.status, 0);
         std::size_t shipped = 0;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(
@@ -82,9 +82,9 @@ private slots:
             ++shipped;
             const QString file = folder + '/' + QString::fromStdString(entry.path().filename());
             QCOMPARE(samples::readText(file.toStdString()), samples::readText(entry.path()));
-            const Outcome valid = run({"validate", file});
+            const ProcessOutcome valid = run({"validate", file});
             QVERIFY2(valid.status == 0, valid.err.c_str());
-            const Outcome simulated = run({"simulate", file});
+            const ProcessOutcome simulated = run({"simulate", file});
             QVERIFY2(simulated.status == 0, simulated.err.c_str());
         }
         QCOMPARE(lines(outcome.out), shipped);
@@ -96,21 +96,21 @@ private slots:
     void examplesThatWereEditedAreNotReplaced() {
         const QString folder = m_folder.filePath("edited");
         QCOMPARE(run({"examples", folder}).status, 0);
-        const Outcome again = run({"examples", folder});
+        const ProcessOutcome again = run({"examples", folder});
         QVERIFY2(again.status == 0 && again.out.empty() && again.err.empty(), again.text().c_str());
         const QStringList names = QDir(folder).entryList(QDir::Files);
         const QString edited = folder + '/' + names.at(names.size() / 2);
         const std::string shipped = samples::readText(edited.toStdString());
         std::ofstream(edited.toStdString()) << "mine";
         QVERIFY(QFile::remove(folder + '/' + names.front()));
-        const Outcome kept = run({"examples", folder});
+        const ProcessOutcome kept = run({"examples", folder});
         QCOMPARE(kept.status, 1);
         QVERIFY2(has(kept.err, edited.toStdString()) && has(kept.err, "--force")
                      && lines(kept.err) == 2,
                  kept.err.c_str());
         QCOMPARE(samples::readText(edited.toStdString()), std::string("mine"));
         QVERIFY(!QFile::exists(folder + '/' + names.front()));
-        const Outcome forced = run({"examples", folder, "--force"});
+        const ProcessOutcome forced = run({"examples", folder, "--force"});
         QCOMPARE(forced.status, 0);
         QCOMPARE(lines(forced.out), std::size_t{2});
         QCOMPARE(samples::readText(edited.toStdString()), shipped);
@@ -128,7 +128,7 @@ private slots:
               QStringList{"optimize", pipe}, QStringList{"sweep", pipe}, QStringList{"batch", pipe},
               QStringList{"batch-merge", pipe}, QStringList{"batch", complete, "--measured", pipe},
               QStringList{"validate", "/dev/zero"}, QStringList{"batch-merge", "/dev/zero"}}) {
-            const Outcome outcome = run(arguments);
+            const ProcessOutcome outcome = run(arguments);
             QVERIFY2(outcome.status == 1,
                      (arguments.join(' ').toStdString() + outcome.text()).c_str());
         }
@@ -152,7 +152,7 @@ private slots:
                                              "'a\\033[31m\\nb\\302\\233\\340x\\033\\342\\200\\256."
                                              "sparkout')\"")
                                          .arg(SPARKOUT_CLI, command, file)});
-                const Outcome outcome = outcomeOf(process);
+                const ProcessOutcome outcome = outcomeOf(process);
                 QVERIFY2(outcome.status == 1, outcome.text().c_str());
                 QVERIFY2(has(outcome.err, "\\u001B[31m\\u000Ab\\u009B\\xE0x\\u001B\\u202E"),
                          outcome.err.c_str());
@@ -208,7 +208,7 @@ private slots:
             process.setWorkingDirectory(m_folder.path());
             process.setStandardInputFile(QProcess::nullDevice());
             process.start(SPARKOUT_CLI, arguments);
-            const Outcome outcome = outcomeOf(process);
+            const ProcessOutcome outcome = outcomeOf(process);
             QVERIFY2(outcome.status >= 0 && outcome.status <= 4, qPrintable(arguments.join('|')));
             QVERIFY2(outcome.status == 0 || outcome.status == 4 || !outcome.err.empty(),
                      qPrintable(arguments.join('|')));

@@ -55,7 +55,7 @@ private slots:
     }
 
     void csvHasARowForEveryPoint() {
-        const Outcome outcome = run({"sweep", m_file, "--csv", "--threads", "1"});
+        const ProcessOutcome outcome = run({"sweep", m_file, "--csv", "--threads", "1"});
         QCOMPARE(outcome.status, 0);
         QCOMPARE(lines(outcome.out), std::size_t{19});
         QVERIFY(outcome.out.starts_with("/machine/overrun_entry_mm [mm],/wheel/dullness,status,ok,"
@@ -64,7 +64,7 @@ private slots:
     }
 
     void aFaultySweepIsRefusedByPathAndValue() {
-        const Outcome outcome = run({"sweep", m_faulty});
+        const ProcessOutcome outcome = run({"sweep", m_faulty});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.out.empty());
         QVERIFY(has(outcome.err, "/sweep/inputs/1/input: \"/wheel/sharpness\""));
@@ -78,7 +78,7 @@ private slots:
              {QStringList{"sweep"}, QStringList{"sweep", "a", "b"},
               QStringList{"sweep", "a", "--threads", "0"},
               QStringList{"sweep", "a", "--json", "--csv"}, QStringList{"sweep", "a", "--check"}}) {
-            const Outcome outcome = run(arguments);
+            const ProcessOutcome outcome = run(arguments);
             QVERIFY2(isUsageError(outcome), outcome.text().c_str());
         }
         QVERIFY(has(run({"--help"}).out, "sparkout-cli sweep FILE"));

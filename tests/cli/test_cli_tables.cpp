@@ -52,7 +52,7 @@ private slots:
     void noReportSteersTheTerminal() {
         for (const QString& file : m_files) {
             for (const char* command : {"simulate", "batch", "sweep"}) {
-                const Outcome outcome = run({command, file});
+                const ProcessOutcome outcome = run({command, file});
                 QCOMPARE(outcome.status, 0);
                 checkPlain(QString::fromStdString(outcome.out + outcome.err));
             }

@@ -60,7 +60,7 @@ void poison(json& file, json& place, const std::string& path, const Accepted& ac
     }
 }
 
-void checkPrinted(const Outcome& outcome, const QStringList& command) {
+void checkPrinted(const ProcessOutcome& outcome, const QStringList& command) {
     const std::string name = command.join(' ').toStdString();
     for (const std::string* text : {&outcome.out, &outcome.err}) {
         const std::string found = steering(*text);
@@ -81,7 +81,7 @@ private slots:
             samples::sourcePath("resources/examples/shaft-30h6-factory.sparkout")));
         file["runs"][0]["summary"]["requirements"][0]["name"] = hostile;
         const QString path = save("kept.sparkout", file.dump());
-        const Outcome outcome = run({"simulate", path});
+        const ProcessOutcome outcome = run({"simulate", path});
         QCOMPARE(outcome.status, 0);
         QVERIFY2(has(outcome.err, "\\u001B]0;title\\u0007"), outcome.err.c_str());
         QCOMPARE(lines(outcome.err), 1U); // one kept run, one line
@@ -107,12 +107,12 @@ private slots:
                                            {"batch", path},
                                            {"phases", path, "--from", "0.15", "--to", "0.1501"},
                                            {"remedies", path}}) {
-            const Outcome outcome = run(command);
+            const ProcessOutcome outcome = run(command);
             QVERIFY2(outcome.status >= 0 && outcome.status != 2, outcome.text().c_str());
             checkPrinted(outcome, command);
         }
         // JSON stays valid.
-        const Outcome outcome = run({"simulate", path, "--json"});
+        const ProcessOutcome outcome = run({"simulate", path, "--json"});
         checkPrinted(outcome, {"simulate --json"});
         const json result = json::parse(outcome.out);
         QVERIFY(result.is_object() && !result.empty());
@@ -125,7 +125,7 @@ private slots:
         file["part"]["profile"] = hostile;
         const QString path = save("faults.sparkout", file.dump());
         for (const QStringList& command : {QStringList{"validate", path}, {"simulate", path}}) {
-            const Outcome outcome = run(command);
+            const ProcessOutcome outcome = run(command);
             QCOMPARE(outcome.status, 1);
             QVERIFY(lines(outcome.err) >= 2);
             checkPrinted(outcome, command);

@@ -60,7 +60,7 @@ private slots:
     void traceThatCannotBeWrittenExits1() {
         for (const QString& trace :
              {m_folder.path(), m_folder.filePath("no/such/folder.csv"), QString("/dev/full")}) {
-            const Outcome outcome =
+            const ProcessOutcome outcome =
                 run({"simulate", samplePath("smallest-plunge"), "--trace", trace});
             QCOMPARE(outcome.status, 1);
             QVERIFY2(outcome.err.starts_with(trace.toStdString() + ": "), outcome.err.c_str());
@@ -80,7 +80,7 @@ private slots:
         file["machine"]["compliance_mm_per_n"] = std::vector<double>(200, 2e-5);
         file["cycle"]["stages"][0]["radial_feed_mm_min"] = 0.1;
         const QString trace = m_folder.filePath("huge.csv");
-        const Outcome outcome =
+        const ProcessOutcome outcome =
             run({"simulate", save("huge.sparkout", file.dump()), "--trace", trace});
         QCOMPARE(outcome.status, 1);
         QVERIFY2(has(outcome.err, "rows; allowed: at most"), outcome.err.c_str());
@@ -97,7 +97,7 @@ private slots:
                  {plain, plain},
                  {plain, m_folder.filePath("link.csv")},
                  {samplePath("complete"), m_folder.filePath("new.sparkout")}}) {
-            const Outcome outcome = run({"simulate", file, "--trace", trace});
+            const ProcessOutcome outcome = run({"simulate", file, "--trace", trace});
             QCOMPARE(outcome.status, 2);
             QVERIFY2(has(outcome.err, trace.toStdString()), outcome.err.c_str());
         }

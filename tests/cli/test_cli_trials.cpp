@@ -49,7 +49,7 @@ private slots:
             const double r = 15 + 0.005 * std::cos(2 * std::numbers::pi * k / 120);
             profile += std::to_string(k) + ';' + std::to_string(r) + '\n';
         }
-        const Outcome outcome = run(
+        const ProcessOutcome outcome = run(
             {"measured", file, "--roundness", "--profile", save("profile.csv", profile), "--json"});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         const json all = json::parse(outcome.out);
@@ -66,13 +66,13 @@ private slots:
         // Three lobes of 5 µm pass 15 UPR by 2^(−1/25).
         const double mzc = recorded.at("readings")[1].at("mzc_um").get<double>();
         QVERIFY(std::abs(mzc - 10 * std::pow(2, -1.0 / 25)) < 0.01);
-        const Outcome text = run({"measured", file, "--roundness"});
+        const ProcessOutcome text = run({"measured", file, "--roundness"});
         QVERIFY2(has(text.out, "Gaussian filter 50 UPR: MZC "), text.text().c_str());
     }
 
     void theBestTrialComesFirst() {
         const QString file = save("plunge.sparkout", plunge().dump());
-        const Outcome outcome = run({"measured", file, "--trial", "alpha,beta", "--json"});
+        const ProcessOutcome outcome = run({"measured", file, "--trial", "alpha,beta", "--json"});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         const json trials = json::parse(outcome.out).at("trials");
         QCOMPARE(trials.size(), std::size_t{24});
@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(trials[0].at("spark_out").get<std::string>(), std::string("until_settled"));
         QCOMPARE(trials[0].at("expected").size(), std::size_t{2});
         QVERIFY(trials[0].at("radial_feed_mm_min").get<double>() > 0);
-        const Outcome text = run({"measured", file, "--trial", "chip_power"});
+        const ProcessOutcome text = run({"measured", file, "--trial", "chip_power"});
         QVERIFY2(has(text.out, "chip_power: undetermined"), text.text().c_str());
         QVERIFY(isUsageError(run({"measured", file, "--trial", "gamma"})));
         QCOMPARE(run({"measured", file, "--trial", "alpha,alpha"}).status, 1);
@@ -95,27 +95,27 @@ private slots:
             length += segment.at("length_mm").get<double>();
         }
         const QString table = save("trial.csv", rigidReadings(length, 30, 20));
-        const Outcome outcome = run({"measured", path, "--stiffness", table, "--json"});
+        const ProcessOutcome outcome = run({"measured", path, "--stiffness", table, "--json"});
         QVERIFY2(outcome.status == 0, outcome.text().c_str());
         const json found = json::parse(outcome.out);
         QCOMPARE(found.at("stiffness")[0].at("unit").get<std::string>(), std::string("headstock"));
         QVERIFY(std::abs(found.at("stiffness")[0].at("n_um").get<double>() - 30) < 1.5);
         QVERIFY(std::abs(found.at("stiffness")[1].at("n_um").get<double>() - 20) < 1.5);
         QCOMPARE(found.at("compliance").size(), std::size_t{3});
-        const Outcome system =
+        const ProcessOutcome system =
             run({"measured", path, "--stiffness", table, "--indicator", "system"});
         QVERIFY(system.status == 0 || has(system.err, "stiffer than rigid"));
-        const Outcome sheet = run({"measured", path, "--stiffness-sheet"});
+        const ProcessOutcome sheet = run({"measured", path, "--stiffness-sheet"});
         QVERIFY2(has(sheet.out, "Set an indicator"), sheet.text().c_str());
     }
 
     void refusals() {
         const QString file = save("plunge.sparkout", plunge().dump());
         const QString bad = save("bad.csv", "0;15\n90;abc\n");
-        const Outcome profile = run({"measured", file, "--profile", bad});
+        const ProcessOutcome profile = run({"measured", file, "--profile", bad});
         QCOMPARE(profile.status, 1);
         QVERIFY2(has(profile.err, "bad.csv:2:2: "), profile.err.c_str());
-        const Outcome stiffness = run({"measured", file, "--stiffness", bad});
+        const ProcessOutcome stiffness = run({"measured", file, "--stiffness", bad});
         QCOMPARE(stiffness.status, 1);
         QVERIFY(isUsageError(run({"measured", file, "--roundness", "--trial", "alpha"})));
         QVERIFY(isUsageError(run({"measured", file, "--indicator", "part"})));
