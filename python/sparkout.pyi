@@ -161,16 +161,16 @@ class JudgedBatch:
         """parts that were run"""
     @property
     def seed(self) -> int:
-        """number that their scatter is drawn by"""
+        """seed of their scatter"""
     @property
     def bad(self) -> int:
-        """parts that are not good"""
+        """rejected parts"""
     @property
     def interval_95(self) -> Optional[tuple[float, float]]:
-        """of the share that is not good; null for corners"""
+        """95 % interval of the share of rejected parts; null for corners"""
     @property
     def low_ppk_95(self) -> Optional[tuple[float, float]]:
-        """of the least P_pk, where that or the expected share outside misses the batch's limit; else null"""
+        """95 % interval of the lowest P_pk, if it or the expected share outside does not meet the batch's limit; otherwise null"""
 
 class MeasuredBias:
     """Measured parts that differ from the predicted ones."""
