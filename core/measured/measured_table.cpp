@@ -450,7 +450,6 @@ private:
     std::map<int, MeasuredPart> m_parts; ///< of the line, by place
     std::optional<std::size_t> m_time;
     bool m_isTimed = false; ///< the line has a time
-    ReadMeasured m_read;
 };
 
 /// Counts from 0 if one of the first parts has the place 0.

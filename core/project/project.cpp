@@ -152,11 +152,11 @@ const StructInfo& tableOf<Project>() {
             Project, sweep, .label = SPARKOUT_NOOP("Input", "Sweep"),
             .nullMeaning = SPARKOUT_NOOP("Input", "no input is varied"),
             .hint = SPARKOUT_NOOP("Input", "Inputs that the view of sweeps varies over a range.")),
-        SPARKOUT_FIELD(
-            Project, measured, .label = SPARKOUT_NOOP("Input", "Measurements"),
-            .nullMeaning = SPARKOUT_NOOP("Input", "nothing is measured"),
-            .hint = SPARKOUT_NOOP("Input", "Measured parts and traces to compare with the "
-                                           "prediction, and the inputs calibrated on them.")),
+        SPARKOUT_FIELD(Project, measured, .label = SPARKOUT_NOOP("Input", "Measurements"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "nothing is measured"),
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Measured parts and traces to compare with the "
+                                             "prediction, and the inputs calibrated on them.")),
         SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"),
                        .hard = {0, 1000},
                        .hint = SPARKOUT_NOOP("Input", "Runs kept for comparison.")),

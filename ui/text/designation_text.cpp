@@ -58,9 +58,9 @@ TypedSize readSize(const QString& typed, const Part& part) {
     }
     const auto deviations = sizeDeviations(*size);
     if (!deviations) {
-        return refusal(
-            QT_TRANSLATE_NOOP("SizeField", "ISO 286 does not have this class here: sizes to 500 "
-                                           "mm, grades 4 to 14, letters d to p."));
+        return refusal(QT_TRANSLATE_NOOP("SizeField",
+                                         "ISO 286 does not have this class here: sizes to 500 "
+                                         "mm, grades 4 to 14, letters d to p."));
     }
     return {size, *deviations,
             sizeWords(QT_TRANSLATE_NOOP("SizeField", "∅%1 mm, upper %2 µm, lower %3 µm"))

@@ -6,7 +6,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-
 namespace sparkout::test_catalogue {
 
 using namespace catalogues;
