@@ -126,7 +126,7 @@ private slots:
                QString("--length"), QString("126"));
         addRow("wheels for the room",
                QStringList{"40h6", "--length", "90", "--stock", "0.15", "--shoulder", "both"},
-               QString("would do: to traverse 40, 25 mm"), QString("a third"));
+               QString("that fit: to traverse 40, 25 mm"), QString("a third"));
         addRow("narrow wheel",
                QStringList{"40h6", "--length", "90", "--stock", "0.15", "--operation", "plunge"},
                QString("--operation traverse, or --wheel: 63 mm does not cover "),

@@ -297,7 +297,7 @@ private slots:
             const SimulationResult late = simulateUnchecked(ofMachine);
             QCOMPARE(late.countsByStage, simulateUnchecked(own).countsByStage);
             QCOMPARE(late.time_s, simulateUnchecked(own).time_s);
-            QVERIFY(late.time_s > simulateUnchecked(prompt).time_s);
+            QVERIFY(late.countsByStage != simulateUnchecked(prompt).countsByStage);
             QCOMPARE(simulateUnchecked(both).time_s, simulateUnchecked(prompt).time_s);
         }
     }
