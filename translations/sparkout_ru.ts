@@ -2268,7 +2268,7 @@
             <translation>ходы в состояние (× вычеркнут)</translation>
         </message>
         <message>
-            <source>m: radial feed, mm/double stroke
+            <source>m: radial feed, mm/dbl stroke
 axial feed, mm/min</source>
             <translation>m: радиальная подача, мм/дв. ход
 продольная подача, мм/мин</translation>
@@ -2821,7 +2821,7 @@ axial feed, mm/min</source>
             <translation>Радиальная подача, мм/мин</translation>
         </message>
         <message>
-            <source>Radial feed, mm/double stroke</source>
+            <source>Radial feed, mm/dbl stroke</source>
             <translation>Подача радиальная, мм/дв. ход</translation>
         </message>
         <message>
@@ -11401,7 +11401,7 @@ With another name both versions stay as they are.</source>
             <translation>мм^1,5</translation>
         </message>
         <message>
-            <source>mm/double stroke</source>
+            <source>mm/dbl stroke</source>
             <translation>мм/дв. ход</translation>
         </message>
         <message>

@@ -710,7 +710,7 @@ void SearchWording::addRobustness(const SearchOutcome& outcome,
         }
     }
     if (robust.nominalTime_s > 0) {
-        lines.push_back(filled("For the nominal part only, the same levels would give %1: "
+        lines.push_back(filled("The nominal part alone, of the same levels, would take %1: "
                                "robustness costs %2 % of time.",
                                {time(robust.nominalTime_s),
                                 percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));

@@ -69,7 +69,7 @@ const StructInfo& tableOf<Stage>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
-            .symbol = "S_t", .unit = "mm/double stroke", .hard = {0, 1}, .soft = {0.0002, 0.05},
+            .symbol = "S_t", .unit = "mm/dbl stroke", .hard = {0, 1}, .soft = {0.0002, 0.05},
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
             .required = feedsWith<&Stage::radial_feed_mm>,
             .relevant = feedsWith<&Stage::radial_feed_mm>, .slider = true, .read = {1e-6, 1},

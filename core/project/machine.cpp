@@ -219,7 +219,7 @@ const StructInfo& tableOf<MachineLimits>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             MachineLimits, radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm/double stroke",
+            .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm/dbl stroke",
             .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
             .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Minimum, maximum and step, per double stroke.")),

@@ -197,7 +197,7 @@ const StructInfo& tableOf<Optimisation>() {
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm,
             .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"),
-            .unit = "mm/double stroke", .hard = {0, 1, true},
+            .unit = "mm/dbl stroke", .hard = {0, 1, true},
             .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .page = Page::search,
             .usual = true,
@@ -248,7 +248,7 @@ const StructInfo& tableOf<Optimisation>() {
         unfedSteps(),
         SPARKOUT_FIELD(
             Optimisation, stage_radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Radial feed by stage"), .unit = "mm/double stroke",
+            .label = SPARKOUT_NOOP("Input", "Radial feed by stage"), .unit = "mm/dbl stroke",
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .count = 2,
             .page = Page::search,

@@ -179,7 +179,7 @@ constexpr std::array<Requirement, constraintKinds> requirementRows{{
      .label = SPARKOUT_NOOP("Requirement", "Radial feed in range"),
      .brief = SPARKOUT_NOOP("RequirementBrief", "Radial feed"),
      .unit = "mm",
-     .unitInFull = "mm/double stroke",
+     .unitInFull = "mm/dbl stroke",
      .digits = {.printed = 5},
      .scope = ConstraintScope::setting,
      .source = LimitSource::range,

@@ -120,7 +120,7 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
     const StageFeed* const axial = project.operation->axial();
     Table table;
     table.head = {tr("Stage"), !project.operation->travels ? tr("Radial feed, mm/min")
-                                                           : tr("Radial feed, mm/double stroke")};
+                                                           : tr("Radial feed, mm/dbl stroke")};
     if (axial) {
         table.head << tr("Axial feed, mm/min");
     }

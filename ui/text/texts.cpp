@@ -30,7 +30,7 @@ QString translated(const char* context, const char* text) {
 
 /// Units of the inputs and results, marked for translation.
 [[maybe_unused]] constexpr std::array units{
-    QT_TRANSLATE_NOOP("Unit", "mm/double stroke"),
+    QT_TRANSLATE_NOOP("Unit", "mm/dbl stroke"),
     QT_TRANSLATE_NOOP("Unit", "mm/min"),
     QT_TRANSLATE_NOOP("Unit", "mm/N"),
     QT_TRANSLATE_NOOP("Unit", "mm²/s"),

@@ -332,7 +332,7 @@ private slots:
             QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 3);
         QCOMPARE(lines[0].split(u'\t'),
-                 words({"Stage", "Radial feed, mm/double stroke", "Axial feed, mm/min",
+                 words({"Stage", "Radial feed, mm/dbl stroke", "Axial feed, mm/min",
                         "Stock per side, mm", "Spark-out", "Time, s"}));
         const QStringList first = lines[1].split(u'\t');
         QCOMPARE(first.mid(0, 5),

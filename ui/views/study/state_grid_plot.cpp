@@ -346,7 +346,7 @@ LineChart StateGridPlot::made() const {
     chart.across = {
         .label = tr("Stock left per side, mm"), .room = 0, .hasGrid = false, .ticker = m_levels};
     // In two lines: one is longer than the axis of a small window.
-    chart.up = {.label = axial ? tr("m: radial feed, mm/double stroke\naxial feed, mm/min")
+    chart.up = {.label = axial ? tr("m: radial feed, mm/dbl stroke\naxial feed, mm/min")
                                : tr("m: radial feed, mm/min"),
                 .room = 0,
                 .hasGrid = false,
