@@ -672,7 +672,9 @@ LegendEntries ChartPlot::legendEntries() const {
     };
     for (const LineChart& chart : m_grid.cells) {
         for (const ChartSeries& of : chart.series) {
-            const QColor colour = of.outline.isValid() ? ink() : colourOf(of.colour);
+            const QColor colour = of.kind == ChartSeries::Kind::ribbon ? ribbonOf(of)
+                                  : of.outline.isValid()               ? ink()
+                                                                       : colourOf(of.colour);
             LegendEntry entry = of.isLine() ? lineEntry(of.key, penOf(of.pen, of.colour), of.name)
                                             : areaEntry(of.key, colour, of.name);
             entry.swatch = of.swatch;
