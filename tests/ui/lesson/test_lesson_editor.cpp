@@ -204,7 +204,7 @@ private slots:
         desk.choose("/variants/inputs/1/by", QStringLiteral("a list of values"));
         desk.type("/variants/inputs/1/list", QStringLiteral("0.012; 0.014; -7"));
         faults = desk.faults();
-        QVERIFY2(faults[0].startsWith(QStringLiteral("Variants › Varied input 2 › List: −7: ")),
+        QVERIFY2(faults[0].startsWith(QStringLiteral("Variants › Varied input 2 › List: −7; ")),
                  qPrintable(faults[0]));
         while (desk.editor->draft().history().canUndo()) {
             desk.press("editUndo");
