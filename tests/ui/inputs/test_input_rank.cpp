@@ -15,12 +15,10 @@
 #include "ui/form/number_field.h"
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/list_table.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
 #include "ui/text/texts.h"
 
-#include <QGroupBox>
 #include <QToolButton>
 
 #include <algorithm>
@@ -57,19 +55,6 @@ struct Bench {
     }
     [[nodiscard]] bool shows(const std::string& path) {
         return shown({path.c_str()}).contains(path);
-    }
-    /// All that a page asks for: its rows, a list as one, and what may be ticked to be given.
-    [[nodiscard]] std::size_t fieldsOn(Page page) {
-        panel->showPage(static_cast<int>(page));
-        FormPage& of = *panel->pages()[static_cast<std::size_t>(page)];
-        const auto lists = of.findChildren<ListTable*>();
-        const auto boxes = of.findChildren<QGroupBox*>();
-        const auto isOffered = [](const QGroupBox* box) {
-            return box->isVisible() && box->isCheckable() && !box->isChecked();
-        };
-        return static_cast<std::size_t>(std::ranges::count_if(of.rows(), &FormRow::isShown)
-                                        + std::ranges::count_if(lists, &QWidget::isVisible)
-                                        + std::ranges::count_if(boxes, isOffered));
     }
     [[nodiscard]] QToolButton* foot(Page page) {
         return panel->pages()[static_cast<std::size_t>(page)]->findChild<QToolButton*>(
@@ -111,24 +96,6 @@ private slots:
                 qDebug("%s", path.c_str());
             }
             QVERIFY(shown.size() <= 40);
-        }
-    }
-
-    void thePagesOfANewSurfaceAskForAtMostFortyThings() {
-        const std::pair<const char*, Project> projects[] = {
-            {"new plunge", undrawnProject(Operation::plunge)},
-            {"new traverse", undrawnProject(Operation::traverse)},
-            {"short bore", startingBore(30)},
-            {"long bore", startingBore(70)}};
-        for (const auto& [name, project] : projects) {
-            Bench bench(project);
-            const std::size_t part = bench.fieldsOn(Page::part),
-                              wheel = bench.fieldsOn(Page::wheel),
-                              machine = bench.fieldsOn(Page::machine);
-            qInfo("%s: %zu of the part, %zu of the wheel, %zu of the machine", name, part, wheel,
-                  machine);
-            QVERIFY(part >= 10 && wheel >= 5 && machine >= 5);
-            QVERIFY(part + wheel + machine <= 40);
         }
     }
 
