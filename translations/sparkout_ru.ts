@@ -13803,7 +13803,7 @@ yours, %</source>
         </message>
         <message>
             <source>Nominal part only</source>
-            <translation>Только номинальная деталь</translation>
+            <translation>Номинальная деталь</translation>
         </message>
         <message>
             <source>robustness costs %1 % of time</source>
@@ -17209,7 +17209,7 @@ target, µm</source>
         </message>
         <message>
             <source>Nominal part only</source>
-            <translation>Только номинальная деталь</translation>
+            <translation>Номинальная деталь</translation>
         </message>
         <message>
             <source>Stocks: being decided</source>

@@ -202,8 +202,8 @@ private slots:
         auto* size = window.on<QLineEdit>("sizeField");
         auto* meaning = window.on<QLabel>("sizeMeaning");
         for (const auto& [typed, said] :
-             {std::pair("30H7", "Capital letters are for bores"), std::pair("30q6", "ISO 286 has"),
-              std::pair("600h6", "ISO 286 has"), std::pair("thirty", "This is not a size")}) {
+             {std::pair("30H7", "Capital letters are for bores"), std::pair("30q6", "ISO 286 does"),
+              std::pair("600h6", "ISO 286 does"), std::pair("thirty", "This is not a size")}) {
             typeOver(*size, QString::fromLatin1(typed));
             QVERIFY2(meaning->text().startsWith(QString::fromLatin1(said)),
                      qPrintable(meaning->text()));

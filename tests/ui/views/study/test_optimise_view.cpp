@@ -938,17 +938,17 @@ private slots:
         QTest::newRow("words") << axial << "fast; slow"
                                << "semicolons";
         QTest::newRow("zero") << axial << "0; 300"
-                              << "0: allowed is above 0";
+                              << "0; allowed: above 0";
         QTest::newRow("no step") << axial << "300…2400"
                                  << "semicolons";
         QTest::newRow("falling") << axial << "2400…300 step 100"
                                  << "below the first";
         QTest::newRow("half a stage") << "/optimisation/stages"
                                       << "1; 2.5"
-                                      << "do not go";
+                                      << "contradict";
         QTest::newRow("six stages") << "/optimisation/stages"
                                     << "6"
-                                    << "6: allowed is 1 to 5";
+                                    << "6; allowed: 1 to 5";
         QTest::newRow("one end") << "/optimisation/last_stock_mm"
                                  << "0.01"
                                  << "2 numbers";
