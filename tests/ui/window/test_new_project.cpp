@@ -26,6 +26,7 @@
 #include "ui/views/cycle/feeds_view.h"
 #include "ui/views/requirements/verdict_panel.h"
 #include "ui/window/file_commands.h"
+#include "words/issue_words.h"
 
 #include <QAction>
 #include <QLabel>
@@ -297,7 +298,9 @@ private slots:
             part.length_mm = 30;
             part.stock_mm = 0.15;
         });
-        QVERIFY(document.followsDrawing() && document.newFaults().empty());
+        QVERIFY(document.followsDrawing());
+        const Issues faults = document.newFaults();
+        QVERIFY2(faults.empty(), faults.empty() ? "" : issueSentence(faults.front()).c_str());
         const Project& bore = document.project();
         QCOMPARE(bore.wheel->diameter_mm, 40.0);
         const std::optional<Quill>& quill = bore.part->shaft.quill;
