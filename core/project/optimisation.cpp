@@ -196,9 +196,8 @@ const StructInfo& tableOf<Optimisation>() {
         ratioDistance(),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"),
-            .unit = "mm/dbl stroke", .hard = {0, 1, true},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
+            .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .page = Page::search,
             .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),

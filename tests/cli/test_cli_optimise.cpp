@@ -255,11 +255,10 @@ private slots:
                                  {"allowed", isMost ? 3600.0 : 0.0},
                                  {"is_allowed_end", false}}}));
         const std::string text = optimize({saved}).out;
-        QVERIFY2(has(text, isMost
-                               ? "“dwell_entry_s” has the maximum level, 0.666\u00a0s; allowed: "
-                                 "3600\u00a0s."
-                               : "“dwell_entry_s” has the minimum level, 0.333\u00a0s; allowed: "
-                                 "0\u00a0s."),
+        QVERIFY2(has(text, isMost ? "“dwell_entry_s” has the maximum level, 0.666\u00a0s; allowed: "
+                                    "3600\u00a0s."
+                                  : "“dwell_entry_s” has the minimum level, 0.333\u00a0s; allowed: "
+                                    "0\u00a0s."),
                  text.c_str());
     }
 
