@@ -3113,6 +3113,10 @@ axial feed, mm/min</source>
             <translation>Заводской</translation>
         </message>
         <message>
+            <source>Factory, 92 mm</source>
+            <translation>Заводской, 92 мм</translation>
+        </message>
+        <message>
             <source>Optimal</source>
             <translation>Оптимальный</translation>
         </message>

@@ -68,6 +68,7 @@ constexpr ShippedExample shippedExamples[] = {
     QT_TRANSLATE_NOOP("Example", "Coupling seat 30n6 E"),
     // their kept runs
     QT_TRANSLATE_NOOP("Example", "Factory"),
+    QT_TRANSLATE_NOOP("Example", "Factory, 92 mm"),
     QT_TRANSLATE_NOOP("Example", "Optimal"),
 };
 
