@@ -17213,7 +17213,7 @@ target, µm</source>
         </message>
         <message>
             <source>Nominal part only</source>
-            <translation>Номинальная деталь</translation>
+            <translation>Только номинальная деталь</translation>
         </message>
         <message>
             <source>Stocks: being decided</source>

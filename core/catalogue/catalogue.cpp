@@ -444,13 +444,8 @@ void compensate(Value& value) {
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project) {
     auto& target = *(project.*Kindred<Entry>::member);
-    ordered_json given = givenPart(writeByTable(valueTable<Entry>(), &entry.value),
-                                   valueTable<Entry>(), entry.sources);
-    for (const ValueSource& source : entry.sources) {
-        if (!given.contains(source.key) && mayBeUnknown(valueTable<Entry>(), source)) {
-            given[source.key] = nullptr;
-        }
-    }
+    const ordered_json given = appliedPart(writeByTable(valueTable<Entry>(), &entry.value),
+                                           valueTable<Entry>(), entry.sources);
     Issues issues;
     std::vector<MissingKey> missing;
     readByTable(json(given), valueTable<Entry>(), &target, {}, issues, missing);

@@ -110,6 +110,29 @@ ordered_json givenPart(const ordered_json& value, const StructInfo& table,
     return given;
 }
 
+ordered_json appliedPart(const ordered_json& value, const StructInfo& table,
+                         const std::vector<ValueSource>& sources) {
+    ordered_json applied = givenPart(value, table, sources);
+    for (const ValueSource& source : sources) {
+        if (!applied.contains(source.key) && mayBeUnknown(table, source)) {
+            applied[source.key] = nullptr;
+        }
+    }
+    for (const Field& field : table.fields) {
+        if (!field.nested || !applied.contains(field.key) || !applied[field.key].is_object()) {
+            continue;
+        }
+        ordered_json& part = applied[field.key];
+        for (const Field& inner : field.nested->fields) {
+            if (!part.contains(inner.key)
+                && (inner.kind == Kind::optionalNumber || inner.kind == Kind::optionalNumberList)) {
+                part[inner.key] = nullptr;
+            }
+        }
+    }
+    return applied;
+}
+
 bool mayBeUnknown(const StructInfo& table, const ValueSource& source) {
     const Field* const field = table.find(source.key);
     return field && field->kind == Kind::optionalNumber && isEstimate(source);

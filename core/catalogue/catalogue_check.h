@@ -25,6 +25,13 @@ void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
                                                const std::vector<ValueSource>& sources,
                                                const std::string& prefix = {});
 
+/// What an entry changes: its given part, with null for an optional value that a source marks as
+/// unknown, and for one that is missing from a given object: stiffnesses or limits are those of one
+/// machine, not of two.
+[[nodiscard]] nlohmann::ordered_json appliedPart(const nlohmann::ordered_json& value,
+                                                 const StructInfo& table,
+                                                 const std::vector<ValueSource>& sources);
+
 /// Whether a missing value may have this source, which marks it as unknown: the value is optional,
 /// and the source claims no reference.
 [[nodiscard]] bool mayBeUnknown(const StructInfo& table, const ValueSource& source);

@@ -45,7 +45,7 @@ constexpr Output<ZoneFigures> roundnessRow(const char* key) {
 
 /// The columns of tables are those with a label. They have the maximum Ra of an estimate by its own
 /// factor, files by the ratio of both: the last digit may differ.
-constexpr Output<ZoneFigures> zoneRows[] = {
+constexpr Output<ZoneFigures> rowsOfZone[] = {
     {{.label = SPARKOUT_NOOP("Output", "Minimum diameter from nominal"), .unit = "µm"},
      [](const ZoneFigures& z) { return z.surface.um(z.section->diameterDeviationMin_mm); }},
     {{.label = SPARKOUT_NOOP("Output", "Maximum diameter from nominal"), .unit = "µm"},
@@ -156,7 +156,7 @@ constexpr Output<ZoneSectionFigures> zoneSectionRows[] = {
      }},
 };
 
-constexpr Output<PartFigures> partRows[] = {
+constexpr Output<PartFigures> rowsOfPart[] = {
     {{.key = "cylindricity_um", .unit = "µm", .hint = "minimum zone"},
      [](const PartFigures& p) { return p.surface.um(p.accuracy.minimumZone.deviation()); }},
     {{.key = "cylindricity_least_squares_um", .unit = "µm", .hint = "least squares"},
@@ -219,7 +219,7 @@ std::span<const Output<SectionResult>> positionOutputs() {
 }
 
 std::span<const Output<ZoneFigures>> zoneOutputs() {
-    return zoneRows;
+    return rowsOfZone;
 }
 
 std::span<const Output<ZoneFigures>> evenLobesOutputs() {
@@ -235,7 +235,7 @@ std::span<const Output<ZoneSectionFigures>> zoneSectionOutputs() {
 }
 
 std::span<const Output<PartFigures>> partOutputs() {
-    return partRows;
+    return rowsOfPart;
 }
 
 std::span<const Output<BurnState>> burnOutputs() {

@@ -361,16 +361,19 @@ struct Walk {
         for (const Field& field : table.fields) {
             const auto found = given.find(field.key);
             const std::string key = prefix + field.key;
-            const ValueSource* const source = sourceOf(sourcesOf(entry), key);
-            if (found == given.end() && !source) {
+            if (found == given.end()) {
                 continue;
             }
+            const ValueSource* const source = sourceOf(sourcesOf(entry), key);
             const ordered_json now = present.is_object() && present.contains(field.key)
                                          ? present.at(field.key)
                                          : ordered_json();
-            if (found == given.end()) {
-                changes.push_back(
-                    {&field, key, shown(now, field), notKnown(), !now.is_null(), source});
+            if (found->is_null()) {
+                if (source || !now.is_null()) {
+                    changes.push_back({&field, key, shown(now, field),
+                                       source ? notKnown() : shown(*found, field), !now.is_null(),
+                                       source});
+                }
             } else if (field.nested && found->is_object()) {
                 through(*field.nested, *found, now, key + "/");
             } else {
@@ -393,7 +396,7 @@ std::vector<CatalogueChange> changesBy(const CatalogueEntry& entry, const Projec
         [&](const auto& e) {
             const StructInfo& table = tableOf<std::decay_t<decltype(e.value)>>();
             const ordered_json given =
-                catalogue::givenPart(writeByTable(table, &e.value), table, e.sources);
+                catalogue::appliedPart(writeByTable(table, &e.value), table, e.sources);
             Walk{entry, changes}.through(table, given, writeByTable(table, &valueIn(project, e)),
                                          {});
         },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Catalogues: read strictly, used in a project, saved as one's own.
 #include "core/catalogue/catalogue.h"
+#include "core/file/struct_json.h"
 
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
@@ -159,6 +160,21 @@ private slots:
                  found->value.stiffness_n_um->tailstock);
         QCOMPARE(project.machine->dwell_entry_s, 0.7);
         QVERIFY(std::holds_alternative<std::vector<double>>(project.machine->compliance_mm_per_n));
+    }
+
+    /// An internal grinder has no seat of 305 mm, and none of the other limits of the machine that
+    /// stood in the project before it.
+    void limitsOfTheMachineBeforeDoNotStay() {
+        Project project = fixtures::plunge();
+        const auto machines = shipped<MachineEntry>();
+        for (const MachineEntry& before : machines) {
+            for (const MachineEntry& entry : machines) {
+                applyEntry(before, project);
+                applyEntry(entry, project);
+                QCOMPARE(writeByTable(tableOf<MachineLimits>(), &project.machine->limits).dump(),
+                         writeByTable(tableOf<MachineLimits>(), &entry.value.limits).dump());
+            }
+        }
     }
 
     void everyMachineHasItsAccuracyAndItsSpeeds() {

@@ -26,6 +26,7 @@
 #include "ui/views/cycle/feeds_view.h"
 #include "ui/views/requirements/verdict_panel.h"
 #include "ui/window/file_commands.h"
+#include "words/issue_words.h"
 
 #include <QAction>
 #include <QLabel>
@@ -274,6 +275,39 @@ private slots:
                  own);
         QCOMPARE(edit(ra(0.4)), own);
         QVERIFY(document.followsDrawing());
+    }
+
+    /// A shaft that becomes a bore before it is drawn gets wheel and quill of a bore.
+    void aNewBoreHasItsWheelAndQuill() {
+        Document document;
+        document.startIncomplete(undrawnProject(Operation::plunge), drawingInputs());
+        const auto edit = [&document](const auto& change) {
+            Project changed = document.project();
+            change(changed);
+            document.edit(changed, {"Edit", "x"});
+        };
+        edit([](Project& project) { project.part->surface = Surface::internal; });
+        edit([](Project& project) {
+            applyEntry(*entryMeant(shippedEntries<MachineEntry>(), "3К227"), project);
+        });
+        edit([](Project& project) {
+            Part& part = *project.part;
+            part.diameter_mm = 60;
+            part.upper_deviation_um = 30;
+            part.lower_deviation_um = 0;
+            part.length_mm = 30;
+            part.stock_mm = 0.15;
+        });
+        QVERIFY(document.followsDrawing());
+        const Issues faults = document.newFaults();
+        QVERIFY2(faults.empty(), faults.empty() ? "" : issueSentence(faults.front()).c_str());
+        const Project& bore = document.project();
+        QCOMPARE(bore.wheel->diameter_mm, 40.0);
+        const std::optional<Quill>& quill = bore.part->shaft.quill;
+        QVERIFY(quill.has_value() && bore.part->shaft.segments.empty());
+        QCOMPARE(quill->length_mm, 45.0);   // 15 mm beyond the bore
+        QCOMPARE(quill->diameter_mm, 28.0); // 0.7 of the wheel's
+        QVERIFY(evaluate(bore, {})->ran());
     }
 
     void aPartThatTheMachineDoesNotTakeIsRefusedUntilAnotherTakesIt() {
