@@ -1260,6 +1260,14 @@
             <translation>постоянная времени прибора</translation>
         </message>
         <message>
+            <source>time constant of the power&apos;s filter</source>
+            <translation>постоянная времени фильтра мощности</translation>
+        </message>
+        <message>
+            <source>time constant of the force&apos;s filter</source>
+            <translation>постоянная времени фильтра силы</translation>
+        </message>
+        <message>
             <source>drift of the gauge</source>
             <translation>дрейф прибора</translation>
         </message>

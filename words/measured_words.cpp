@@ -524,6 +524,10 @@ MeasuredWords wordsOf(FittedKind kind, bool hasThreshold) {
         return {"blank_runout", SPARKOUT_NOOP("Measured", "runout of the blank")};
     case FittedKind::gauge_lag:
         return {"gauge_lag", SPARKOUT_NOOP("Measured", "time constant of the gauge")};
+    case FittedKind::power_lag:
+        return {"power_lag", SPARKOUT_NOOP("Measured", "time constant of the power's filter")};
+    case FittedKind::force_lag:
+        return {"force_lag", SPARKOUT_NOOP("Measured", "time constant of the force's filter")};
     case FittedKind::gauge_drift:
         return {"gauge_drift", SPARKOUT_NOOP("Measured", "drift of the gauge")};
     case FittedKind::gauge_setting:

@@ -174,6 +174,8 @@ constexpr ParameterRow parameterRows[] = {
     {FittedKind::force_delay, "force_delay", "s", ParameterRole::recorder, 1, {-2, 2}},
     {FittedKind::blank_runout, "blank_runout", "mm", ParameterRole::input, 2, {0, 0.5}},
     {FittedKind::gauge_lag, "gauge_lag", "s", ParameterRole::recorder, 1, {-0.2, 2}},
+    {FittedKind::power_lag, "power_lag", "s", ParameterRole::recorder, 1, {-0.2, 3}},
+    {FittedKind::force_lag, "force_lag", "s", ParameterRole::recorder, 1, {-0.2, 2}},
     {FittedKind::gauge_drift, "gauge_drift", "mm/min", ParameterRole::recorder, 0.1, {-0.1, 0.1}},
     {FittedKind::gauge_setting, "gauge_setting", "mm", ParameterRole::input, 0.1, {-0.1, 0.1}},
 };

@@ -31,6 +31,8 @@ enum class FittedKind {
     force_delay,    ///< delay of the normal force behind the other traces [s]
     blank_runout,   ///< ΔR of the blank [mm]
     gauge_lag,      ///< time constant of the gauge, a first-order lag [s]
+    power_lag,      ///< time constant of the power's filter, a first-order lag [s]
+    force_lag,      ///< time constant of the force's filter, a first-order lag [s]
     gauge_drift,    ///< drift of the gauge over the time of the cycle [mm/min]
     gauge_setting,  ///< diameter at which the gauge ends the cycle [mm]; for finished parts
     count_

@@ -168,7 +168,9 @@ double coordinateUnit(FittedKind kind) {
     case FittedKind::time_shift:
     case FittedKind::power_delay:
     case FittedKind::force_delay:
-    case FittedKind::gauge_lag: return shift_s;
+    case FittedKind::gauge_lag:
+    case FittedKind::power_lag:
+    case FittedKind::force_lag: return shift_s;
     case FittedKind::idle_power: return idle_kw;
     default: return 1;
     }
@@ -279,6 +281,8 @@ FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
         case FittedKind::power_delay: scalars.powerDelay_s = value; break;
         case FittedKind::force_delay: scalars.forceDelay_s = value; break;
         case FittedKind::gauge_lag: scalars.lag_s = value; break;
+        case FittedKind::power_lag: scalars.powerLag_s = value; break;
+        case FittedKind::force_lag: scalars.forceLag_s = value; break;
         case FittedKind::gauge_drift: scalars.drift_mm_min = value; break;
         default: break;
         }
@@ -328,10 +332,12 @@ double FitProblem::predicted(const FitGroup& group, std::size_t index,
         return laggedAt(m_response.end_s, sizes, time, scalars.lag_s) + scalars.offset_mm
                + scalars.drift_mm_min * time / sPerMin;
     }
+    const bool isForce = group.source == FitSource::force;
+    const double lag_s = isForce ? scalars.forceLag_s : scalars.powerLag_s;
     const auto value = [&](const std::vector<double>& values) {
-        return valueAt(m_response.middle_s, values, time);
+        return laggedAt(m_response.middle_s, values, time, lag_s);
     };
-    if (group.source == FitSource::force) {
+    if (isForce) {
         return scalars.flow
                * (scalars.chipForce * value(m_response.chip_n)
                   + scalars.rubbingForce * scalars.dullness * value(m_response.friction_n));

@@ -66,7 +66,7 @@ private:
     struct Scalars {
         double flow = 1, dullness = 1, chipForce = 1, rubbingForce = 1, chip = 1, friction = 1,
                idle_kw = 0, offset_mm = 0, shift_s = 0, powerDelay_s = 0, forceDelay_s = 0,
-               lag_s = 0, drift_mm_min = 0;
+               lag_s = 0, powerLag_s = 0, forceLag_s = 0, drift_mm_min = 0;
     };
     [[nodiscard]] Scalars scalarsAt(const std::vector<double>& q) const;
     [[nodiscard]] double predicted(const FitGroup& group, std::size_t index,

@@ -150,13 +150,13 @@ private:
         if (has(FittedKind::chip_power) || has(FittedKind::friction_power)) {
             return m_data.has(FitSource::power) ? Advice::another_feed : Advice::power;
         }
-        if (has(FittedKind::power_delay) || has(FittedKind::force_delay)) {
-            const bool isThere =
-                m_data.has(has(FittedKind::power_delay) ? FitSource::power : FitSource::force);
-            return !isThere && has(FittedKind::power_delay) ? Advice::power
-                   : !isThere                               ? Advice::force
-                   : !m_data.has(FitSource::size)           ? Advice::size
-                                                            : Advice::cycle_start;
+        const bool ofPower = has(FittedKind::power_delay) || has(FittedKind::power_lag);
+        if (ofPower || has(FittedKind::force_delay) || has(FittedKind::force_lag)) {
+            const bool isThere = m_data.has(ofPower ? FitSource::power : FitSource::force);
+            return !isThere && ofPower            ? Advice::power
+                   : !isThere                     ? Advice::force
+                   : !m_data.has(FitSource::size) ? Advice::size
+                                                  : Advice::cycle_start;
         }
         if (has(FittedKind::time_shift)) {
             return Advice::cycle_start;

@@ -57,8 +57,10 @@ public:
         m_result.stepsByStage = m_problem.steps();
         addResiduals();
         if (found.unidentified.empty() && !found.covariance.empty() && !m_stop.stop_requested()) {
+            const std::vector<double> white = found.covariance;
             widen(found);
             findAlike(found);
+            findEnds(found.covariance, white);
         }
         if (m_stop.stop_requested()) {
             m_result.status = IdentificationStatus::stopped;
@@ -428,6 +430,54 @@ private:
         }
     }
 
+    /// The ends of the intervals by the likelihood's profile. Where a parameter is skew, its
+    /// interval ± t·σ does not end where the data are equally against it. With the others fitted
+    /// anew the criterion, from its least, has risen at an end by (t·σ/σ_w)², σ_w the error for
+    /// white noise: in a linear problem that is ± t·σ. Offsets and times, which are nearly linear,
+    /// keep it, and so does an end at which the root of the rise is right within a tenth.
+    void findEnds(const std::vector<double>& covariance, const std::vector<double>& white) {
+        const std::size_t count = m_request.parameters.size();
+        const double least = criterionAt(m_best.q);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double half = student() * std::sqrt(covariance[i * count + i]);
+            const double rise = half / std::sqrt(white[i * count + i]);
+            const bool isSkew = !isOfRecorder(m_request.parameters[i].kind);
+            const auto endOn = [&](double side) {
+                return isSkew ? profileEnd(i, side * half, rise, least, white) : half;
+            };
+            m_ends.emplace_back(endOn(-1), endOn(1));
+        }
+    }
+
+    /// The distance of an end from the best coordinate, searched from `to` on; the rise is a root.
+    [[nodiscard]] double profileEnd(std::size_t i, double to, double rise, double least,
+                                    const std::vector<double>& white) {
+        constexpr double almostLinear = 0.1, settled = 0.02, farthest = 3;
+        constexpr int mostSteps = 6;
+        const std::size_t count = m_best.q.size();
+        std::vector<bool> fixed(count, false);
+        fixed[i] = true;
+        double at = to;
+        for (int step = 0; step < mostSteps && !m_stop.stop_requested(); ++step) {
+            std::vector<double> q = m_best.q;
+            for (std::size_t k = 0; k < count; ++k) { // along which the others follow at first
+                q[k] += at * white[i * count + k] / white[i * count + i];
+            }
+            const double risen = std::sqrt(std::max(
+                0.0, minimise(m_problem, q, fixed, SearchEffort::rough).criterion - least));
+            const double off = std::abs(risen / rise - 1);
+            if (off < (step == 0 ? almostLinear : settled)) {
+                break;
+            }
+            at = std::isfinite(risen) ? at * std::clamp(rise / risen, 0.5, 2.0) : at / 2;
+            if (std::abs(at) > farthest * std::abs(to)) {
+                at = farthest * to;
+                break;
+            }
+        }
+        return std::abs(at);
+    }
+
     /// Whether the residuals of a trace exceed noise.
     [[nodiscard]] bool lacks() const {
         return std::ranges::any_of(
@@ -443,7 +493,6 @@ private:
 
     void addValues(const Identifiability& found) {
         const std::size_t count = m_request.parameters.size();
-        const double t = student();
         std::vector<double> errors;
         std::vector<double> wider; // ratio of the interval to that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
@@ -454,8 +503,8 @@ private:
             value.parameter = m_request.parameters[i];
             value.value = FitProblem::valueOf(kind, q);
             const auto [least, most] = m_alike[i];
-            value.interval95 = {FitProblem::valueOf(kind, least - t * error),
-                                FitProblem::valueOf(kind, most + t * error)};
+            value.interval95 = {FitProblem::valueOf(kind, least - m_ends[i].first),
+                                FitProblem::valueOf(kind, most + m_ends[i].second)};
             const bool isRelative = isFactor(kind) || kind == FittedKind::blank_runout;
             const double half = error + (most - least) / 2;
             wider.push_back(half / error);
@@ -583,6 +632,7 @@ private:
     LeastSquares m_best;
     std::vector<LeastSquares> m_others;             ///< from other starts or with other steps
     std::vector<std::pair<double, double>> m_alike; ///< ends of equally good fits, by parameter
+    std::vector<std::pair<double, double>> m_ends;  ///< distances of the intervals' ends
     double m_least = 0; ///< criterion of the best fit for the same noise
     Identification m_result;
 };
@@ -679,7 +729,7 @@ void addOutOfStepAnew(const Project& project, const IdentificationRequest& reque
     if (found.empty()) {
         leaveUntold(std::move(untold), without);
     }
-    without.outOfStep = std::move(found);
+    without.outOfStep = clearest(std::move(found));
 }
 
 /// Adds the force law supported by the recorded spark-out, whatever law the fit uses.

@@ -19,9 +19,9 @@ namespace {
 
 constexpr double leastDrift_mm_min = 1e-5;
 constexpr double leastDelay_s = 1e-4; ///< resolution of a recorder's clock
-/// Less than the time constant of any gauge. The model has one size a revolution, T apart, and a
-/// straight line between; where the size approaches its end with a time constant t_c, that line is
-/// as far off as a lag of T²/(8·t_c), some milliseconds, would put it.
+/// Less than the time constant of any gauge or filter. The model has one size a revolution, T
+/// apart, and a straight line between; where the size approaches its end with a time constant t_c,
+/// that line is as far off as a lag of T²/(8·t_c), some milliseconds, would put it.
 constexpr double leastLag_s = 5e-3;
 
 bool hasTimes(const FitGroup& group) {
@@ -35,6 +35,9 @@ bool isOfData(FittedKind kind, const FitData& data) {
     }
     if (kind == FittedKind::gauge_lag || kind == FittedKind::gauge_drift) {
         return data.has(FitSource::size);
+    }
+    if (kind == FittedKind::power_lag || kind == FittedKind::force_lag) {
+        return data.has(kind == FittedKind::power_lag ? FitSource::power : FitSource::force);
     }
     const FitSource source = kind == FittedKind::power_delay ? FitSource::power : FitSource::force;
     return data.has(source) && std::ranges::any_of(data.groups, [source](const FitGroup& group) {
@@ -209,11 +212,33 @@ double inflation(double autocorrelation) {
     return (1 + rho) / (1 - rho);
 }
 
+namespace {
+
+bool isLag(FittedKind kind) {
+    return kind == FittedKind::gauge_lag || kind == FittedKind::power_lag
+           || kind == FittedKind::force_lag;
+}
+
+} // namespace
+
 bool isCertain(const OutOfStep& found) {
     const double least = found.kind == FittedKind::gauge_drift ? leastDrift_mm_min
-                         : found.kind == FittedKind::gauge_lag ? leastLag_s
+                         : isLag(found.kind)                   ? leastLag_s
                                                                : leastDelay_s;
     return std::abs(found.amount) >= std::max(least, certainDelay * found.error);
+}
+
+std::vector<OutOfStep> clearest(std::vector<OutOfStep> found) {
+    const auto keepOne = [&](FittedKind delay, FittedKind filter) {
+        const auto a = std::ranges::find(found, delay, &OutOfStep::kind);
+        const auto b = std::ranges::find(found, filter, &OutOfStep::kind);
+        if (a != found.end() && b != found.end()) {
+            found.erase(std::abs(a->amount) * b->error < std::abs(b->amount) * a->error ? a : b);
+        }
+    };
+    keepOne(FittedKind::power_delay, FittedKind::power_lag);
+    keepOne(FittedKind::force_delay, FittedKind::force_lag);
+    return found;
 }
 
 std::vector<FittedKind> timesLeftOut(const FitData& data,
@@ -221,7 +246,8 @@ std::vector<FittedKind> timesLeftOut(const FitData& data,
     std::vector<FittedKind> left;
     for (const FittedKind kind :
          {FittedKind::time_shift, FittedKind::power_delay, FittedKind::force_delay,
-          FittedKind::gauge_lag, FittedKind::gauge_drift}) {
+          FittedKind::gauge_lag, FittedKind::power_lag, FittedKind::force_lag,
+          FittedKind::gauge_drift}) {
         if (std::ranges::find(fitted, kind, &FittedParameter::kind) == fitted.end()
             && isOfData(kind, data)) {
             left.push_back(kind);
@@ -246,6 +272,7 @@ LeftOut outOfStep(const Project& project, const FitData& data, const FitProblem&
             }
         }
     }
+    found.certain = clearest(std::move(found.certain));
     return found;
 }
 

@@ -12,8 +12,8 @@ namespace sparkout {
 
 /// A property of the recorder that was not fitted and is probably not 0: a shift of the traces
 /// relative to the cycle (`time_shift`), a delay of the power or the force relative to other
-/// traces, lag or drift of the gauge. If omitted, it biases the other parameters, whose intervals
-/// do not show it.
+/// traces, lag or drift of the gauge, the filter of the power or the force. If omitted, it biases
+/// the other parameters, whose intervals do not show it.
 struct OutOfStep {
     FittedKind kind = FittedKind::power_delay;
     double amount = 0;         ///< value in a fit that includes it
@@ -45,6 +45,9 @@ struct LeftOut {
 
 /// Whether it exceeds `certainDelay` standard errors, and the resolution of a recorder's clock.
 [[nodiscard]] bool isCertain(const OutOfStep& found);
+
+/// Of a delay and a filter of the same trace, which look alike, the one with more standard errors.
+[[nodiscard]] std::vector<OutOfStep> clearest(std::vector<OutOfStep> found);
 
 /// The times that the data could determine and that are not fitted.
 [[nodiscard]] std::vector<FittedKind> timesLeftOut(const FitData& data,

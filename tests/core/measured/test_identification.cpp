@@ -180,6 +180,92 @@ private slots:
         }
     }
 
+    /// The filter of a power meter or of a force sensor likewise. A delay looks much like it; one
+    /// of the two is named.
+    void filtersOfPowerAndForce() {
+        const Project project = yieldingPlunge();
+        const Record cycle = record(project);
+        for (const bool isForce : {false, true}) {
+            const FittedKind kind = isForce ? FittedKind::force_lag : FittedKind::power_lag;
+            constexpr double lag_s = 0.6;
+            MeasuredTrace made =
+                trace(isForce ? TraceQuantity::normal_force : TraceQuantity::wheel_power, cycle,
+                      {.hertz = 50, .from_s = -1, .to_s = cycle.end_s.back() + 3});
+            const std::vector<double> sharp = made.values.values();
+            const double noise = *std::ranges::max_element(sharp) / 200;
+            std::vector<double> values;
+            for (std::size_t i = 0; i < sharp.size(); ++i) {
+                values.push_back(
+                    laggedAt(made.time_s.values(), sharp, made.time_s[i], lag_s)
+                    + noise * normalQuantile(openUnit(randomBits(11, RandomStream::plain, i, 0))));
+            }
+            made.values = Samples(std::move(values));
+            Project measured = project;
+            measured.measured.emplace().traces = {made};
+            std::vector<FittedParameter> list;
+            if (isForce) {
+                list = {of(FittedKind::flow_stress), of(FittedKind::dullness)};
+            } else {
+                list = {of(FittedKind::chip_power), of(FittedKind::friction_power),
+                        of(FittedKind::idle_power)};
+            }
+            const Identification without = identify(measured, {.parameters = list});
+            QVERIFY2(without.status == IdentificationStatus::doesNotFit, said(without));
+            for (const OutOfStep& found : without.outOfStep) {
+                const bool isLag = found.kind == kind;
+                QVERIFY2(isLag || found.kind == FittedKind::time_shift, said(without));
+            }
+            list.push_back(of(kind));
+            const Identification with = identify(measured, {.parameters = list});
+            QVERIFY2(with.status == IdentificationStatus::fitted, said(with));
+            const FittedValue& found = with.values.back();
+            QVERIFY2(found.interval95.low <= lag_s && lag_s <= found.interval95.high, said(with));
+            QVERIFY2(std::abs(found.value - lag_s) < 0.05 * lag_s, said(with));
+            QVERIFY2(near(with, list.front().kind, 1, 0.05), said(with));
+        }
+    }
+
+    /// The data are equally against both ends of an interval, also where ± t·σ would be far from
+    /// that: a value held at an end leaves the same residuals as at the other one.
+    void bothEndsOfAnIntervalAreEquallyUnlikely() {
+        const Project project = yieldingPlunge();
+        Project truth = project;
+        truth.wheel->dullness *= 0.5;
+        Project measured = project;
+        measured.measured.emplace().traces = {trace(TraceQuantity::gauge_size, record(truth),
+                                                    {.hertz = 5, .noise = 4e-3, .seed = 3})};
+        const IdentificationRequest request{.parameters = {of(FittedKind::alpha),
+                                                           of(FittedKind::beta),
+                                                           of(FittedKind::size_offset)}};
+        const Identification best = identify(measured, request);
+        QVERIFY2(best.status == IdentificationStatus::fitted, said(best));
+        const auto squaresAt = [&](std::size_t parameter, double value) {
+            IdentificationRequest held = request;
+            held.parameters[parameter].prior = Prior{value, 1e-9 * value};
+            const Identification found = identify(measured, held);
+            const FitResiduals& left = found.residuals.front();
+            return left.rms * left.rms * static_cast<double>(left.values.size());
+        };
+        const double least = best.residuals.front().rms * best.residuals.front().rms
+                             * static_cast<double>(best.residuals.front().values.size());
+        double farthest = 1;
+        for (const std::size_t parameter : {std::size_t{0}, std::size_t{1}}) {
+            const FittedValue& value = best.values[parameter];
+            const auto [low, high] = value.interval95;
+            const double ratio = std::sqrt((squaresAt(parameter, low) - least)
+                                           / (squaresAt(parameter, high) - least));
+            QVERIFY2(ratio > 0.8 && ratio < 1.25, qPrintable(QString::number(ratio)));
+            const double linear = std::exp(1.96 * value.error);
+            const double ofLinear =
+                std::sqrt((squaresAt(parameter, value.value / linear) - least)
+                          / (squaresAt(parameter, value.value * linear) - least));
+            farthest = std::max({farthest, ofLinear, 1 / ofLinear});
+            qInfo("%s %.3f in %.3f…%.3f: the rises of the ends are as %.3f, of ± t·σ as %.3f",
+                  keyOf(value.parameter.kind), value.value, low, high, ratio, ofLinear);
+        }
+        QVERIFY2(farthest > 1.3, "no parameter is skew: the test proves nothing");
+    }
+
     void sizeWithoutNoiseGivesTheTruth() {
         Project project = yieldingPlunge(2);
         Project truth = project;
