@@ -41,6 +41,7 @@ struct Disturbance {
     bool isSlowerLater = false;
     double feed = 1, runout_mm = 0; ///< of the first stage, by a factor; of the blank, more
     bool isOfOtherRule = false, withPower = false;
+    double powerLag_s = 0; ///< of the power's filter
 };
 
 constexpr Disturbance disturbances[] = {
@@ -72,6 +73,7 @@ constexpr Disturbance disturbances[] = {
     {.name = "many outliers", .outlierShare = 0.03, .outlier_mm = 0.03},
     {.name = "two rates", .isUndisturbed = true, .isSlowerLater = true},
     {.name = "with power", .isUndisturbed = true, .withPower = true},
+    {.name = "power filtered 0.5 s", .withPower = true, .powerLag_s = 0.5},
     {.name = "feed 5 % more", .feed = 1.05},
     {.name = "feed 20 % more", .feed = 1.2},
     {.name = "runout 30 µm more", .runout_mm = 0.03},
@@ -104,8 +106,7 @@ MeasuredTrace recorded(TraceQuantity quantity, const Record& cycle, const Distur
     double following = 0;
     for (double time = from; time <= to;
          time += 1 / (how.isSlowerLater && time > (from + to) / 2 ? how.hertz / 4 : how.hertz)) {
-        double value =
-            isSize ? laggedAt(at, of, time - shift_s, how.lag_s) : between(at, of, time - shift_s);
+        double value = laggedAt(at, of, time - shift_s, isSize ? how.lag_s : how.powerLag_s);
         following = how.phi * following + std::sqrt(1 - how.phi * how.phi) * chance.normal();
         value += offset + how.drift_mm_min * time / 60
                  + unit * (how.white_mm * chance.normal() + how.following_mm * following);
