@@ -12,6 +12,7 @@
 #include "core/quality/result_names.h"
 #include "core/quality/shop_numbers.h"
 #include "core/quality/verdict.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/units.h"
 #include "words/issue_words.h"
 #include "words/search_words.h"
@@ -136,6 +137,15 @@ std::string um(double value_mm) {
     return fixed(value_mm * units::umPerMm, 3);
 }
 
+std::string wavesText(const PlaceWaves& of) {
+    const Harmonic* const largest = of.largest();
+    return largest
+               ? "waviness " + um(of.waves->height_mm) + ", most of order "
+                     + std::to_string(largest->lobes) + ", amplitude " + um(largest->amplitude_mm)
+               : "waviness not decided: at least " + std::to_string(of.radiiNeeded)
+                     + " radii a section";
+}
+
 std::string accuracyText(const SimulationResult& result, const PartAccuracy& accuracy) {
     if (!FinishedSurface(result.project).isWhole()) {
         return "strips stay uncut    size, roundness, runout, cylindricity, form and Ra are not "
@@ -154,6 +164,9 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
         if (i < result.ifEven.size()) {
             text += padded("") + um(result.ifEven[i].least_mm) + ", " + um(result.ifEven[i].most_mm)
                     + " with an even number of lobes\n";
+        }
+        if (const std::optional<PlaceWaves> waves = placeWaves(result, i)) {
+            text += padded("") + wavesText(*waves) + '\n';
         }
     }
     for (std::size_t i = 0; i < accuracy.zones.size(); ++i) {
@@ -188,6 +201,12 @@ std::string metText(bool isMet) {
     return isMet ? "met" : "not met";
 }
 
+std::string unknownText(const ConstraintResult& constraint) {
+    return constraint.knowsMachine                       ? ""
+           : constraint.kind == ConstraintKind::waviness ? ", waves of the wheel not known"
+                                                         : ", machine not known";
+}
+
 std::string constraintLine(const ConstraintResult& constraint) {
     const Requirement& row = requirementOf(constraint.kind);
     const int decimals = row.digits.printed;
@@ -209,11 +228,11 @@ std::string constraintLine(const ConstraintResult& constraint) {
     if (isLowerBound(constraint)) {
         return name + "≥ " + value + ", " + limit + ", ≤ " + margin + ' ' + unit
                + "  not decided in " + whereText(constraint, First::inTexts)
-               + ", machine not known\n";
+               + unknownText(constraint) + '\n';
     }
     return name + value + ", " + limit + ", " + margin + (unit.empty() ? "" : " ") + unit + "  "
            + metText(constraint.holds) + " in " + whereText(constraint, First::inTexts)
-           + (constraint.knowsMachine ? "" : ", machine not known") + '\n';
+           + unknownText(constraint) + '\n';
 }
 
 std::string requirementsText(const SimulationResult& result,

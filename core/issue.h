@@ -64,6 +64,7 @@ enum class IssueCode {
     stageIdle,
     dwellRounded,
     lobesUnknown,
+    wavesUnresolved, ///< of a wheel out of true, by too few radii
     noSuchNumber,
     sameName,
     sharedKey,

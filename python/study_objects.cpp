@@ -9,6 +9,7 @@
 #include "core/measured/calibration.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/search/optimise.h"
 #include "core/sparkout.h"
 #include "core/study/kept_search.h"

@@ -979,6 +979,18 @@
             <source>with the machine&apos;s form</source>
             <translation>с формой от станка</translation>
         </message>
+        <message>
+            <source>runout of the wheel not given</source>
+            <translation>биение круга не задано</translation>
+        </message>
+        <message>
+            <source>runout of the wheel by its amplitude</source>
+            <translation>биение круга задано амплитудой</translation>
+        </message>
+        <message>
+            <source>unbalanced wheel</source>
+            <translation>круг не уравновешен</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -2005,6 +2017,42 @@
         <message>
             <source>Largest difference at which the two means count as the same</source>
             <translation>До него оба средних считаются одинаковыми</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
+        </message>
+        <message>
+            <source>From peak to valley, of the profile without the orders below half of the wheel&apos;s; of the most wavy section.</source>
+            <translation>От вершины до впадины профиля без гармоник ниже половины порядка круга; в самом волнистом сечении.</translation>
+        </message>
+        <message>
+            <source>Largest order</source>
+            <translation>Порядок наибольшей гармоники</translation>
+        </message>
+        <message>
+            <source>Waves around the part of the harmonic with the largest amplitude.</source>
+            <translation>Число волн по окружности детали у гармоники с наибольшей амплитудой.</translation>
+        </message>
+        <message>
+            <source>Amplitude of the largest order</source>
+            <translation>Амплитуда наибольшей гармоники</translation>
+        </message>
+        <message>
+            <source>Waves that the wheel prints</source>
+            <translation>Волны от круга</translation>
+        </message>
+        <message>
+            <source>Number around the part, by the ratio of wheel to work speed and the waves of the wheel.</source>
+            <translation>Число по окружности детали: по отношению частот вращения круга и заготовки и числу волн круга.</translation>
+        </message>
+        <message>
+            <source>Radii that resolve the waves</source>
+            <translation>Радиусов для разрешения волн</translation>
+        </message>
+        <message>
+            <source>Twelve for each wave; with fewer radii the waviness is not decided.</source>
+            <translation>Двенадцать на волну; при меньшем числе радиусов волнистость не определена.</translation>
         </message>
     </context>
     <context>
@@ -7287,6 +7335,122 @@ With another name both versions stay as they are.</source>
             <source>Town</source>
             <translation>Город</translation>
         </message>
+        <message>
+            <source>Wheel runout</source>
+            <translation>Биение круга</translation>
+        </message>
+        <message>
+            <source>How far the wheel runs out of true since its last dressing: an amplitude, an unbalance or a balance grade. It prints waves onto the part; not given, the waviness is not known.</source>
+            <translation>Насколько круг бьёт после последней правки: амплитуда, дисбаланс или класс точности балансировки. От биения на детали остаются волны; если оно не задано, волнистость не известна.</translation>
+        </message>
+        <message>
+            <source>Runout amplitude</source>
+            <translation>Амплитуда биения</translation>
+        </message>
+        <message>
+            <source>from the unbalance</source>
+            <translation>по дисбалансу</translation>
+        </message>
+        <message>
+            <source>Half of the total runout of the cutting surface at the working speed, as it has become since the last dressing: a wheel just dressed at that speed has none.</source>
+            <translation>Половина полного биения режущей поверхности на рабочей скорости, появившегося после последней правки: у круга, только что правленного на этой скорости, его нет.</translation>
+        </message>
+        <message>
+            <source>Waves of the wheel</source>
+            <translation>Число волн круга</translation>
+        </message>
+        <message>
+            <source>Number of waves around the wheel; 1: the surface is eccentric.</source>
+            <translation>Число волн по окружности круга; 1 — поверхность эксцентрична.</translation>
+        </message>
+        <message>
+            <source>Unbalance</source>
+            <translation>Дисбаланс</translation>
+        </message>
+        <message>
+            <source>from the grade, or none</source>
+            <translation>по классу балансировки или нет</translation>
+        </message>
+        <message>
+            <source>Mass out of balance times its radius, as it has become since the last dressing. It acts as a force on the wheel head, whose stiffness it needs.</source>
+            <translation>Неуравновешенная масса, умноженная на её радиус, появившаяся после последней правки. Действует на шлифовальную бабку как сила; нужна жёсткость бабки.</translation>
+        </message>
+        <message>
+            <source>Balance grade</source>
+            <translation>Класс точности балансировки</translation>
+        </message>
+        <message>
+            <source>Balance quality of the wheel with its spindle, 1 for the drives of grinders, 0.4 for the spindles of precision grinders.</source>
+            <translation>Класс точности балансировки круга со шпинделем: 1 — приводы шлифовальных станков, 0,4 — шпиндели прецизионных.</translation>
+        </message>
+        <message>
+            <source>Mass of the rotor</source>
+            <translation>Масса ротора</translation>
+        </message>
+        <message>
+            <source>Mass of the wheel with its flanges and spindle; the balance grade needs it.</source>
+            <translation>Масса круга с фланцами и шпинделем; нужна для класса балансировки.</translation>
+        </message>
+        <message>
+            <source>Phase of the wheel</source>
+            <translation>Фаза круга</translation>
+        </message>
+        <message>
+            <source>Angle of the runout at the beginning of the cycle; at 0 the wheel stands nearest to the part. In a batch it may scatter over the whole turn.</source>
+            <translation>Угол биения в начале цикла; при 0 круг ближе всего к детали. В партии может рассеиваться по всему обороту.</translation>
+        </message>
+        <message>
+            <source>Speed variation</source>
+            <translation>Размах изменения частоты</translation>
+        </message>
+        <message>
+            <source>How far the work speed rises and falls about its value, in percent of it.</source>
+            <translation>Насколько частота вращения заготовки поднимается и опускается от заданной, в процентах от неё.</translation>
+        </message>
+        <message>
+            <source>Period of the variation</source>
+            <translation>Период изменения</translation>
+        </message>
+        <message>
+            <source>Time from one highest speed to the next.</source>
+            <translation>Время от одного наибольшего значения частоты до следующего.</translation>
+        </message>
+        <message>
+            <source>Variation of the work speed</source>
+            <translation>Изменение частоты вращения заготовки</translation>
+        </message>
+        <message>
+            <source>constant speed</source>
+            <translation>частота постоянна</translation>
+        </message>
+        <message>
+            <source>The work speed rises and falls during the cycle, so that the waves of a wheel out of true do not print onto one another.</source>
+            <translation>Частота вращения заготовки в течение цикла то больше, то меньше, чтобы волны от биения круга не ложились одна на другую.</translation>
+        </message>
+        <message>
+            <source>Natural frequency of the wheel head</source>
+            <translation>Собственная частота шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>far above the wheel&apos;s revolutions</source>
+            <translation>намного выше частоты вращения круга</translation>
+        </message>
+        <message>
+            <source>Frequency at which the wheel head swings by itself. The nearer the wheel&apos;s revolutions are to it, the more an unbalance moves the wheel.</source>
+            <translation>Частота, с которой шлифовальная бабка колеблется сама. Чем ближе к ней частота вращения круга, тем сильнее дисбаланс смещает круг.</translation>
+        </message>
+        <message>
+            <source>Maximum height of the waves around the part, from peak to valley. It is decided where the runout of the wheel is given.</source>
+            <translation>Наибольшая высота волн по окружности детали, от вершины до впадины. Оценивается, если задано биение круга.</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
+        </message>
+        <message>
+            <source>Uniform from 0 to 360°, as the wheel stands at any angle when a cycle begins.</source>
+            <translation>Равномерно от 0 до 360°: в начале цикла круг стоит под любым углом.</translation>
+        </message>
     </context>
     <context>
         <name>InputBrief</name>
@@ -7576,6 +7740,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>the number of lobes is not known: an even one spreads the diameters by {value} in a field of {limit}; judged as an odd one</source>
             <translation>число граней неизвестно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
+        </message>
+        <message>
+            <source>{value} radii do not resolve the waves that the wheel prints, and the waviness is not decided; needed: {limit}</source>
+            <translation>при числе радиусов {value} волны от круга не видны, волнистость не определена; нужно: {limit}</translation>
         </message>
 </context>
     <context>
@@ -8019,6 +8187,11 @@ With another name both versions stay as they are.</source>
             <source>%1, machine not known</source>
             <comment>the form it prints</comment>
             <translation>%1, без погрешности станка</translation>
+        </message>
+        <message>
+            <source>%1, waves not known</source>
+            <comment>that the wheel prints</comment>
+            <translation>%1, волны не известны</translation>
         </message>
         <message>
             <source>%1 s</source>
@@ -9514,6 +9687,14 @@ With another name both versions stay as they are.</source>
             <source>%1 makes %3 double strokes or revolutions, %2 fewer than the minimum</source>
             <translation>%1: двойных ходов (оборотов) %3, на %2 меньше наименьшего числа</translation>
         </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
+        </message>
+        <message>
+            <source>From peak to valley, without the orders below half of the wheel&apos;s</source>
+            <translation>От вершины до впадины, без гармоник ниже половины порядка круга</translation>
+        </message>
     </context>
     <context>
         <name>RequirementBrief</name>
@@ -9600,6 +9781,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Fewest steps</source>
             <translation>Число ходов</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Волнистость</translation>
         </message>
     </context>
     <context>
@@ -10146,6 +10331,18 @@ With another name both versions stay as they are.</source>
             <source>Akaike, 1974, choice of a model</source>
             <translation>Акаике, 1974, выбор модели</translation>
         </message>
+        <message>
+            <source>model page, section 16: waves of the wheel</source>
+            <translation>страница модели, раздел 16: волны от круга</translation>
+        </message>
+        <message>
+            <source>hon1.ru, balancing of grinding wheels</source>
+            <translation>hon1.ru, балансировка шлифовальных кругов</translation>
+        </message>
+        <message>
+            <source>ISO 21940-11:2016, grades of balance</source>
+            <translation>ISO 21940-11:2016, классы точности балансировки</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -10436,6 +10633,14 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Title page</source>
             <translation>Титульный лист</translation>
+        </message>
+        <message>
+            <source>Wheel runout</source>
+            <translation>Биение круга</translation>
+        </message>
+        <message>
+            <source>Variation of the work speed</source>
+            <translation>Изменение частоты вращения заготовки</translation>
         </message>
     </context>
     <context>
@@ -11496,6 +11701,14 @@ With another name both versions stay as they are.</source>
             <source>points</source>
             <translation>балл.</translation>
         </message>
+        <message>
+            <source>g·mm</source>
+            <translation>г·мм</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>
@@ -11598,6 +11811,18 @@ With another name both versions stay as they are.</source>
         <message>
             <source>, including the form that the machine prints</source>
             <translation>, с формой от станка</translation>
+        </message>
+        <message>
+            <source>The runout of the wheel is not given, so the waves it prints are not known.</source>
+            <translation>Биение круга не задано, поэтому волны от него не известны.</translation>
+        </message>
+        <message>
+            <source>%1 radii do not resolve the waves of the wheel; %2 are needed.</source>
+            <translation>%1 радиусов не хватает, чтобы различить волны от круга; нужно %2.</translation>
+        </message>
+        <message>
+            <source>A wheel with an amplitude of %1 µm prints %2 waves around the part. A work speed at which the ratio of the speeds is not near to a whole number leaves less of them.</source>
+            <translation>От круга с амплитудой биения %1 мкм на детали %2 волн по окружности. При частоте вращения заготовки, для которой отношение частот не близко к целому, их остаётся меньше.</translation>
         </message>
     </context>
     <context>
@@ -17262,6 +17487,10 @@ target, µm</source>
         <message>
             <source>{name}: machine not known</source>
             <translation>{name}: погрешность станка не задана</translation>
+        </message>
+        <message>
+            <source>{name}: too few radii</source>
+            <translation>{name}: мало радиусов</translation>
         </message>
     </context>
     <context>

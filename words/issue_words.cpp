@@ -251,6 +251,11 @@ IssueWords wordsOf(IssueCode code) {
                 SPARKOUT_NOOP("Issue", "the number of lobes is not known: an even one spreads the "
                                        "diameters by {value} in a field of {limit}; judged as an "
                                        "odd one")};
+    case IssueCode::wavesUnresolved:
+        return {"waves_unresolved",
+                SPARKOUT_NOOP("Issue", "{value} radii do not resolve the waves that the wheel "
+                                       "prints, and the waviness is not decided; needed: "
+                                       "{limit}")};
     case IssueCode::noSuchNumber:
         return {"no_such_number",
                 SPARKOUT_NOOP("Issue", "{value} is not a number of the project; needed: {limit}")};

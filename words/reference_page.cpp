@@ -179,8 +179,8 @@ struct Question {
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
 };
 
-const std::array<Question, 11>& questions() {
-    static const std::array<Question, 11> all{{
+const std::array<Question, 12>& questions() {
+    static const std::array<Question, 12> all{{
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
@@ -220,6 +220,15 @@ const std::array<Question, 11>& questions() {
          [](Project& p, Stage&, std::size_t i) {
              if (i == 1) {
                  p.machine->form.emplace().runout_um.emplace();
+             }
+         }},
+        {{SPARKOUT_NOOP("Condition", "runout of the wheel not given"),
+          SPARKOUT_NOOP("Condition", "runout of the wheel by its amplitude"),
+          SPARKOUT_NOOP("Condition", "unbalanced wheel")},
+         [](Project& p, Stage&, std::size_t i) {
+             if (i > 0) {
+                 WheelRunout& runout = p.wheel->runout.emplace();
+                 (i == 1 ? runout.amplitude_um : runout.balance_grade_mm_s) = 1;
              }
          }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),

@@ -9,6 +9,7 @@
 #include "core/quality/constraints.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/setup/dressing_interval.h"
 #include "core/setup/setup_run.h"
 #include "core/study/remedies.h"
@@ -106,6 +107,7 @@ ordered_json tableSchemas() {
         {"zone_section", tableSchema("simulate: one of sections of a zone", zoneSectionOutputs())},
         {"part_form", tableSchema("simulate: part", partOutputs())},
         {"burn", tableSchema("simulate: burn", burnOutputs())},
+        {"waviness", tableSchema("simulate: waviness of a zone or section", wavinessOutputs())},
         {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},
         {"search", tableSchema("optimize", searchOutputs())},
         {"remedies", tableSchema("remedies", remedyResultOutputs())},

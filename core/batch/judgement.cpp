@@ -4,6 +4,7 @@
 #include "core/process/printed_form.h"
 #include "core/project/batch.h"
 #include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "core/quality/roughness.h"
 
 #include <algorithm>
@@ -35,6 +36,11 @@ std::optional<Undecided> undecidedOf(const Requirement& row, const Project& proj
     if (row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project)
         && !isDecided(row.kind, constraints)) {
         return roughnessNotKnown;
+    }
+    if (row.kind == ConstraintKind::waviness && !areWavesKnown(project)) {
+        return project.wheel->runout
+                   ? Undecided{row.kind, UndecidedReason::fewRadii, "/part/radii_per_section"}
+                   : Undecided{row.kind, UndecidedReason::inputMissing, "/wheel/runout"};
     }
     if (!knowsMachine(row.kind, project)) {
         return Undecided{row.kind, UndecidedReason::machineNotKnown, "/machine/form"};
@@ -117,7 +123,7 @@ JudgedState stateOf(const Judgement& of, bool nominalFails, bool hasBatch) {
 constexpr Output<Undecided> undecidedRows[] = {
     {{.key = "name", .hint = "of the requirement"},
      [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
-    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
+    {{.key = "why", .hint = "not_calibrated, input_missing, machine_not_known or few_radii"},
      [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
     {{.key = "input", .hint = "JSON pointer of the input that decides it"},
      [](const Undecided& u) { return u.path; }},
@@ -130,7 +136,7 @@ std::span<const Output<Undecided>> undecidedOutputs() {
 }
 
 const char* reasonKey(UndecidedReason reason) {
-    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};
+    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known", "few_radii"};
     return keys[static_cast<std::size_t>(reason)];
 }
 

@@ -159,6 +159,7 @@ std::optional<double> replacedValue(FactorKind kind, const Project& project) {
     case FactorKind::compliance:
     case FactorKind::machineForm:
     case FactorKind::runoutAt:
+    case FactorKind::wheelPhase:
     case FactorKind::gaugeError:
     case FactorKind::gaugeAge: break;
     }
@@ -209,6 +210,7 @@ void putFactor(FactorKind kind, double value, Project& project) {
         }
         break;
     case FactorKind::runoutAt: project.machine->form->runout_at_deg = value; break;
+    case FactorKind::wheelPhase: project.wheel->runout->phase_deg = value; break;
     case FactorKind::gaugeError:
         project.gauge->error_um += value * project.machine->gauge_repeatability_um.value_or(0);
         break;

@@ -108,6 +108,7 @@ std::vector<FactorKind> usualKinds(const Project& project) {
         std::pair(FactorKind::compliance, true),
         std::pair(FactorKind::machineForm,
                   isRunoutAsked && (machine.form || machine.geometric_runout_um > 0)),
+        std::pair(FactorKind::wheelPhase, project.wheel->runout.has_value()),
         std::pair(FactorKind::gaugeError,
                   isGauged && machine.gauge_repeatability_um.value_or(0) > 0),
         std::pair(FactorKind::gaugeAge, isGauged && machine.gauge_drift_um_h.value_or(0) != 0),
@@ -158,7 +159,8 @@ Factor usualFactor(FactorKind kind, const Project& project) {
     }
     case FactorKind::compliance: return evenly({0.9, 1.1});
     case FactorKind::machineForm: return normally({1, 0.3}, {0, 2});
-    case FactorKind::runoutAt: return evenly({0, 360});
+    case FactorKind::runoutAt:
+    case FactorKind::wheelPhase: return evenly({0, 360});
     case FactorKind::contactWidth:
         return evenly(
             sharesOf(project.operation->travels ? project.wheel->width_mm : project.part->length_mm,

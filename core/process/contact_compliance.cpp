@@ -47,7 +47,7 @@ void putState(Lanes& lanes, std::size_t lane, const ThresholdState& state) {
 double cutWithThreshold(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
                         const PassRange& range) {
     return cutEach(lanes, range, [&](std::size_t lane) {
-        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
+        const double h = std::max(0.0, lanes.wheelAt(lane, feed) - lanes.depth_mm[lane]);
         return thresholdState(coefficients.C[lane], coefficients.A4[lane], h);
     });
 }
@@ -96,7 +96,7 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
                               const PassFeed& feed, const PassRange& range) const {
     double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
-        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
+        const double h = std::max(0.0, lanes.wheelAt(lane, feed) - lanes.depth_mm[lane]);
         const Balance balance{.A = coefficients.A4[lane] / 4,
                               .C = coefficients.C[lane],
                               .bks = range.bks,
@@ -115,7 +115,7 @@ double ContactCompliance::cutWithThreshold(Lanes& lanes, const LaneCoefficients&
                                            const PassFeed& feed, const PassRange& range) const {
     double largest = 0;
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
-        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
+        const double h = std::max(0.0, lanes.wheelAt(lane, feed) - lanes.depth_mm[lane]);
         const ThresholdState found = state({.A = coefficients.A4[lane] / 4,
                                             .C = coefficients.C[lane],
                                             .bks = range.bks,

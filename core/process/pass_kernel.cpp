@@ -21,10 +21,11 @@ namespace {
 
 enum class Root { multiplied, divided };
 enum class Drift { none, some }; ///< drift of the infeed; it costs time and few cycles have one
+enum class Wave { none, some };  ///< wave of a wheel out of true, likewise
 
 // The loop has one source; each wrapper compiles it for its vector unit. Every operation is an IEEE
 // one without contraction, so the units differ only in speed.
-template <Root form, Drift drifts>
+template <Root form, Drift drifts, Wave waves>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
@@ -38,6 +39,13 @@ template <Root form, Drift drifts>
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double drift = feed.drift, end = feed.most;
+    const double* __restrict waveCos = lanes.waveCos.data();
+    const double* __restrict waveSin = lanes.waveSin.data();
+    if constexpr (waves == Wave::some) {
+        waveCos += range.first;
+        waveSin += range.first;
+    }
+    const double cosine = feed.waveCos_mm, sine = feed.waveSin_mm;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)
@@ -47,6 +55,9 @@ template <Root form, Drift drifts>
         if constexpr (drifts == Drift::some) {
             const double further = fed + drift * share[i];
             fed = further < end ? further : end;
+        }
+        if constexpr (waves == Wave::some) {
+            fed = fed + (cosine * waveCos[i] + sine * waveSin[i]);
         }
         const double lag = fed - depth[i];
         const double h = lag > 0 ? lag : 0;
@@ -60,6 +71,14 @@ template <Root form, Drift drifts>
         largest = u > largest ? u : largest;
     }
     return largest;
+}
+
+template <Root form, Drift drifts>
+[[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
+                                                const PassFeed& feed, const PassRange& range) {
+    return lanes.waveCos.empty()
+               ? cutLanesBy<form, drifts, Wave::none>(lanes, coefficients, feed, range)
+               : cutLanesBy<form, drifts, Wave::some>(lanes, coefficients, feed, range);
 }
 
 template <Root form>

@@ -19,10 +19,32 @@
 /// k_r/k_s up to `multipliedFormLimit` that is below 1e-13 mm. Beyond it (a very dull wheel on very
 /// slow work) the pass takes the form that does not cancel, √a = 2h/(C + √(C² + 4·A·h)). √(C·C) is
 /// C exactly in binary floating point, so h = 0 gives a = 0 exactly in both.
+///
+/// The surface of a wheel out of true stands w = e·cos ψ nearer to the work [MODEL-16], and h is
+/// t_П + w − depth. With ψ = α + β, α at the beginning of the pass and β what it advances up to the
+/// visit of the radius, w = e·cos α·cos β − e·sin α·sin β: the feed has the first factors, the
+/// lanes the second ones.
 namespace sparkout {
 
 /// Largest k_r/k_s [1/√mm] at which a pass takes the multiplied form; usual cuts are below 1.
 inline constexpr double multipliedFormLimit = 500;
+
+/// The programmed infeed of one pass: t_П = min(base + min(offset + rate·share, cap) + drift·share,
+/// most) [mm], rounded as min(min((base + offset) + rate·share, base + cap) + drift·share, most).
+struct PassFeed {
+    double base = 0, offset = 0, rate = 0, cap = 0;
+    double drift = 0; ///< ≥ 0: of a continuous infeed, in the whole pass
+    double most = std::numeric_limits<double>::infinity(); ///< upper limit of the infeed, ≥ base
+    double waveCos_mm = 0, waveSin_mm = 0; ///< e·cos α, −e·sin α of a wheel out of true
+
+    [[nodiscard]] double at(double share) const {
+        return std::min(std::min(base + offset + rate * share, base + cap) + drift * share, most);
+    }
+    /// An upper bound of where the wheel's surface stands at any share.
+    [[nodiscard]] double greatest() const {
+        return std::min(base + cap + drift, most) + (std::abs(waveCos_mm) + std::abs(waveSin_mm));
+    }
+};
 
 /// The lanes' state.
 struct Lanes {
@@ -33,6 +55,15 @@ struct Lanes {
         rubbing.assign(root.size(), 0.0);
         peakRubbing.assign(root.size(), 0.0);
     }
+    /// w at the visit of a lane [mm].
+    [[nodiscard]] double waveAt(std::size_t lane, const PassFeed& feed) const {
+        return waveCos.empty() ? 0
+                               : feed.waveCos_mm * waveCos[lane] + feed.waveSin_mm * waveSin[lane];
+    }
+    /// Where the surface of the wheel stands at the visit of a lane: t_П + w [mm].
+    [[nodiscard]] double wheelAt(std::size_t lane, const PassFeed& feed) const {
+        return feed.at(share[lane]) + waveAt(lane, feed);
+    }
     std::vector<double> depth_mm; ///< depth of the radius below first touch
     std::vector<double> root;     ///< u = √a of the last pass [√mm]
     std::vector<double> rootSum; ///< Σ√a since the owner last cleared it [√mm]; Σv with rubbing
@@ -40,6 +71,7 @@ struct Lanes {
     std::vector<double> rubbing;     ///< v of the last pass; empty without a threshold of the force
     std::vector<double> peakRubbing; ///< largest v
     std::vector<double> share; ///< (k+1)/K, share of the revolution at which the radius is visited
+    std::vector<double> waveCos, waveSin; ///< cos β, sin β; empty: the wheel runs true
 };
 
 /// The balance's coefficients for each lane at one width of cut.
@@ -50,20 +82,6 @@ struct LaneCoefficients {
     void set(std::size_t first, double gamma, double bks, double bkr, std::size_t count = 1);
 
     std::vector<double> C, C2, A4, inverse2A;
-};
-
-/// The programmed infeed of one pass: t_П = min(base + min(offset + rate·share, cap) + drift·share,
-/// most) [mm], rounded as min(min((base + offset) + rate·share, base + cap) + drift·share, most).
-struct PassFeed {
-    double base = 0, offset = 0, rate = 0, cap = 0;
-    double drift = 0; ///< ≥ 0: of a continuous infeed, in the whole pass
-    double most = std::numeric_limits<double>::infinity(); ///< upper limit of the infeed, ≥ base
-
-    [[nodiscard]] double at(double share) const {
-        return std::min(std::min(base + offset + rate * share, base + cap) + drift * share, most);
-    }
-    /// The greatest infeed over all shares.
-    [[nodiscard]] double greatest() const { return std::min(base + cap + drift, most); }
 };
 
 /// The balance's coefficients of one lane at one width of cut.

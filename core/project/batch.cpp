@@ -2,6 +2,7 @@
 #include "core/project/batch.h"
 
 #include "core/cholesky.h"
+#include "core/project/conditions.h"
 #include "core/project/given_factors.h"
 #include "core/project/machine.h"
 #include "core/project/project.h"
@@ -42,6 +43,10 @@ private:
         const Factor& law = factor.law;
         if (factor.kind == FactorKind::runoutAt && !m_project.machine->form) {
             add(IssueCode::notUsedHere, path, {}, Keys{{"/machine/form"}});
+            return;
+        }
+        if (factor.kind == FactorKind::wheelPhase && !m_project.wheel->runout) {
+            add(IssueCode::notUsedHere, path, {}, Keys{{"/wheel/runout"}});
             return;
         }
         if (factor.kind == FactorKind::machineForm && !m_project.machine->form
@@ -308,6 +313,13 @@ const StructInfo& tableOf<Factors>() {
             .hint = SPARKOUT_NOOP(
                 "Input", "Uniform from 0 to 360° where parts are clamped at random angles."),
             .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Factors, wheel_phase_deg, .label = SPARKOUT_NOOP("Input", "Phase of the wheel"),
+            .symbol = "ψ_0", .unit = "°", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+            .relevant = conditions::wheelRunout, .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "Uniform from 0 to 360°, as the wheel stands at any "
+                                           "angle when a cycle begins."),
+            .source = "MODEL-16"),
         SPARKOUT_FIELD(
             Factors, gauge_error, .label = SPARKOUT_NOOP("Input", "Random error of the gauge"),
             .symbol = "z", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),

@@ -37,9 +37,10 @@ struct Factors {
     std::optional<Factor> contact_width_mm;
     std::optional<Factor> machine_form;
     std::optional<Factor> runout_at_deg;
-    std::optional<Factor> gauge_error;   ///< in standard deviations of the machine's gauge
-    std::optional<Factor> gauge_age_h;   ///< since the machine's gauge was set: it drifts
-    std::optional<Factor> part_warmer_k; ///< ΔT at the gauge
+    std::optional<Factor> wheel_phase_deg; ///< ψ_0 of the wheel's runout
+    std::optional<Factor> gauge_error;     ///< in standard deviations of the machine's gauge
+    std::optional<Factor> gauge_age_h;     ///< since the machine's gauge was set: it drifts
+    std::optional<Factor> part_warmer_k;   ///< ΔT at the gauge
 };
 
 /// The batch that a cycle must be fit for.

@@ -4,6 +4,7 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 
 namespace sparkout::conditions {
 
@@ -22,6 +23,14 @@ bool external(const Project& p, const void*) {
 
 bool internal(const Project& p, const void*) {
     return p.part->surface == Surface::internal;
+}
+
+bool wheelRunout(const Project& p, const void*) {
+    return p.wheel->runout.has_value();
+}
+
+bool unbalanced(const Project& p, const void*) {
+    return p.wheel->runout && p.wheel->runout->isForced();
 }
 
 } // namespace sparkout::conditions

@@ -32,5 +32,9 @@ bool setsFeed(const Project& p, const void*) {
 [[nodiscard]] bool byPosition(const Project& p, const void*);
 [[nodiscard]] bool external(const Project& p, const void*);
 [[nodiscard]] bool internal(const Project& p, const void*);
+/// Whether the runout of the wheel is given, in any form.
+[[nodiscard]] bool wheelRunout(const Project& p, const void*);
+/// Whether an unbalance of the wheel is given, itself or by its grade.
+[[nodiscard]] bool unbalanced(const Project& p, const void*);
 
 } // namespace sparkout::conditions

@@ -34,6 +34,7 @@ Range allowedValues(FactorKind kind, Operation operation) {
                                   : tableOf<Part>().find("length_mm")->hard;
     case FactorKind::machineForm: return {0, mostFormFactor};
     case FactorKind::runoutAt: return tableOf<MachineForm>().find("runout_at_deg")->hard;
+    case FactorKind::wheelPhase: return tableOf<WheelRunout>().find("phase_deg")->hard;
     case FactorKind::gaugeError: return {-mostGaugeError, mostGaugeError};
     case FactorKind::gaugeAge: return {0, longestGaugeAge_h};
     case FactorKind::partWarmer: return tableOf<Gauge>().find("part_warmer_k")->hard;

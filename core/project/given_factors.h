@@ -26,6 +26,7 @@ enum class FactorKind {
     contactWidth,
     machineForm,
     runoutAt,
+    wheelPhase,
     gaugeError,
     gaugeAge,
     partWarmer

@@ -8,9 +8,11 @@
 #include "core/project/project.h"
 #include "core/project/wheel.h"
 #include "core/text.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sparkout {
 
@@ -107,6 +109,38 @@ bool withoutRunoutOfForm(const Project& p, const void*) {
 }
 
 } // namespace
+
+double wheelSpeed_rpm(const Project& project) {
+    return project.machine->wheel_speed_m_s * units::mmPerM * units::secondsPerMinute
+           / (std::numbers::pi * project.wheel->diameter_mm);
+}
+
+double wavesPerTurn(const Project& project) {
+    const std::optional<WheelRunout>& runout = project.wheel->runout;
+    const int waves = runout && !runout->isForced() ? runout->lobes : 1;
+    return waves * wheelSpeed_rpm(project) / project.machine->work_speed_rpm;
+}
+
+int orderOfWaves(const Project& project) {
+    constexpr int mostTurns = 6;
+    constexpr double mostWaves = 1e8; // no number of radii resolves them
+    const double ratio = std::min(wavesPerTurn(project), mostWaves / mostTurns);
+    for (int q = 1; q <= mostTurns; ++q) {
+        const double p = std::round(q * ratio);
+        if (p >= 1 && std::abs(q * ratio - p) <= nearRatio) {
+            return static_cast<int>(p);
+        }
+    }
+    return std::max(static_cast<int>(std::round(ratio)), 1);
+}
+
+int radiiForWaves(const Project& project) {
+    return radiiOfLobe * orderOfWaves(project);
+}
+
+bool areWavesKnown(const Project& project) {
+    return project.wheel->runout && project.part->radii_per_section >= radiiForWaves(project);
+}
 
 int lobesOf(const MachineForm& form) {
     return form.lobes.value_or(oddLobes);
@@ -338,7 +372,54 @@ const StructInfo& tableOf<MachineForm>() {
     return info;
 }
 
+template <>
+const StructInfo& tableOf<SpeedVariation>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(
+            SpeedVariation, percent, .label = SPARKOUT_NOOP("Input", "Speed variation"),
+            .symbol = "s", .unit = "%", .hard = {0, 50}, .soft = {0, 20}, .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "How far the work speed rises and falls about its value, "
+                                       "in percent of it."),
+            .source = "MODEL-16"),
+        SPARKOUT_FIELD(SpeedVariation, period_s,
+                       .label = SPARKOUT_NOOP("Input", "Period of the variation"), .symbol = "T",
+                       .unit = "s", .hard = {0.01, 3600}, .soft = {0.5, 60}, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Time from one highest speed to the next."),
+                       .source = "MODEL-16"),
+    };
+    static const StructInfo info =
+        makeTable<SpeedVariation>(SPARKOUT_NOOP("Struct", "Variation of the work speed"), rows);
+    return info;
+}
+
 namespace {
+
+Field workSpeedVariation() {
+    return SPARKOUT_FIELD(
+        Machine, work_speed_variation,
+        .label = SPARKOUT_NOOP("Input", "Variation of the work speed"),
+        .nullMeaning = SPARKOUT_NOOP("Input", "constant speed"),
+        .relevant = conditions::wheelRunout, .sparse = true, .page = Page::machine,
+        .hint =
+            SPARKOUT_NOOP("Input", "The work speed rises and falls during the cycle, so that the "
+                                   "waves of a wheel out of true do not print onto one "
+                                   "another."),
+        .formula = "ψ = ψ_0 + 2π·∫L·n_k dt", .source = "MODEL-16");
+}
+
+Field wheelHeadFrequency() {
+    return SPARKOUT_FIELD(
+        Machine, wheel_head_frequency_hz,
+        .label = SPARKOUT_NOOP("Input", "Natural frequency of the wheel head"), .symbol = "f_0",
+        .unit = "Hz", .hard = {1, 1e5}, .soft = {20, 2000},
+        .nullMeaning = SPARKOUT_NOOP("Input", "far above the wheel's revolutions"),
+        .relevant = conditions::unbalanced, .sparse = true, .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "Frequency at which the wheel head swings by itself. The "
+                                       "nearer the wheel's revolutions are to it, the more an "
+                                       "unbalance moves the wheel."),
+        .formula = "e = U·ω²/j_w·1/|1 − (ω/ω_0)²|", .source = "MODEL-16");
+}
 
 Field zoneCompliance() {
     return SPARKOUT_FIELD(
@@ -439,6 +520,7 @@ const StructInfo& tableOf<Machine>() {
                        .usual = true,
                        .hint = SPARKOUT_NOOP("Input", "Revolutions of the part; V_d = π·d·n."),
                        .source = "MODEL-1"),
+        workSpeedVariation(),
         SPARKOUT_FIELD(
             Machine, plunge_feed_mm_min,
             .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"), .symbol = "S_rad",
@@ -503,6 +585,7 @@ const StructInfo& tableOf<Machine>() {
             .hint = SPARKOUT_NOOP(
                 "Input", "Headstock, tailstock and wheel head, for a compliance that is computed."),
             .source = "MODEL-6"),
+        wheelHeadFrequency(),
         zoneCompliance(),
         geometricRunout(),
         machineForm(),

@@ -84,6 +84,14 @@ struct MachineForm {
     friend bool operator==(const MachineForm&, const MachineForm&) = default;
 };
 
+/// The work speed rises and falls about its value, against waves that print onto one another
+/// [MODEL-16].
+struct SpeedVariation {
+    double percent = 10; ///< s, to either side [%]
+    double period_s = 5; ///< T [s]
+    friend bool operator==(const SpeedVariation&, const SpeedVariation&) = default;
+};
+
 /// The quantity that the wheel's drive keeps constant as the wheel's diameter falls [MODEL-8]: V_k,
 /// or the revolutions, so that V_k falls with the diameter.
 enum class WheelSpeedControl { constant_speed, constant_revolutions };
@@ -93,8 +101,9 @@ struct Machine {
     std::string name;
     double wheel_speed_m_s = 30; ///< V_k of the wheel at its given diameter [m/s]
     WheelSpeedControl wheel_speed_control = WheelSpeedControl::constant_speed;
-    double work_speed_rpm = 180;     ///< n [rev/min]
-    double plunge_feed_mm_min = 0.5; ///< S_rad, plunge-in at a reversal [mm/min]
+    double work_speed_rpm = 180;                        ///< n [rev/min]
+    std::optional<SpeedVariation> work_speed_variation; ///< not given: the speed is constant
+    double plunge_feed_mm_min = 0.5;                    ///< S_rad, plunge-in at a reversal [mm/min]
     ReversalInfeed reversal_infeed = ReversalInfeed::entry;
     double overrun_entry_mm = 12;        ///< o1 [mm]
     double overrun_exit_mm = 12;         ///< o2 [mm]
@@ -102,6 +111,8 @@ struct Machine {
     double dwell_exit_s = 0;             ///< spark-out at the exit reversal [s]
     GivenCompliance compliance_mm_per_n; ///< γ; not given: from stiffness and shaft [mm/N]
     std::optional<Stiffness> stiffness_n_um;
+    /// ω_0/2π of the wheel head; not given: far above the wheel's revolutions [Hz]
+    std::optional<double> wheel_head_frequency_hz;
     std::optional<std::vector<double>> zone_compliance; ///< factor on γ of each zone or section
     double geometric_runout_um = 0;  ///< runout of centres and spindle, added to every runout [µm]
     std::optional<MachineForm> form; ///< if given, geometric_runout_um is not used
@@ -127,8 +138,25 @@ void changeWheelDiameter(Project& project, double diameter_mm);
 /// Numbers of lobes to assume where it is not known: an odd number changes no diameter, an even
 /// number changes them all.
 inline constexpr int oddLobes = 3, evenLobes = 2;
-/// Number of radii per lobe, so that its height is resolved to 1 − cos(π/12) = 3.4 %.
+/// Number of radii per lobe or wave, so that its height is resolved to 1 − cos(π/12) = 3.4 %.
 inline constexpr int radiiOfLobe = 12;
+
+/// n_k [rev/min].
+[[nodiscard]] double wheelSpeed_rpm(const Project& project);
+/// Waves of the wheel in one turn of the work, L·n_k/n [MODEL-16]; with one wave where its runout
+/// is not given.
+[[nodiscard]] double wavesPerTurn(const Project& project);
+/// A ratio L·n_k/n this near to p/q lays the waves of q turns of the work onto those of the q turns
+/// before: over ten turns, a usual spark-out, they shift by less than half of their length
+/// [BADGER2010].
+inline constexpr double nearRatio = 0.05;
+/// The number of waves around the work that the wheel prints: p where the ratio is near to p/q with
+/// q up to 6, beyond which a long spark-out leaves less than an eighth of e; else the ratio itself.
+[[nodiscard]] int orderOfWaves(const Project& project);
+/// The least number of radii that resolves these waves.
+[[nodiscard]] int radiiForWaves(const Project& project);
+/// Whether the wheel's waves are known: its runout is given, and the radii resolve them.
+[[nodiscard]] bool areWavesKnown(const Project& project);
 
 /// The given number of lobes, or oddLobes.
 [[nodiscard]] int lobesOf(const MachineForm& form);
@@ -160,6 +188,8 @@ template <>
 const StructInfo& tableOf<MachineLimits>();
 template <>
 const StructInfo& tableOf<MachineForm>();
+template <>
+const StructInfo& tableOf<SpeedVariation>();
 template <>
 const StructInfo& tableOf<Machine>();
 

@@ -215,6 +215,14 @@ const StructInfo& tableOf<Tolerance>() {
             .usual = true,
             .hint = SPARKOUT_NOOP("Input", "Maximum arithmetic mean roughness the drawing allows."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Tolerance, waviness_um, .label = SPARKOUT_NOOP("Input", "Waviness"), .symbol = "W",
+            .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 20},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Maximum height of the waves around the part, from peak "
+                                           "to valley. It is decided where the runout of the wheel "
+                                           "is given."),
+            .formula = "W = e·(1 − cos(π/q)), L·n_k/n = p/q", .source = "MODEL-16"),
     };
     static const StructInfo info =
         makeTable<Tolerance>(SPARKOUT_NOOP("Struct", "Tolerances"), rows);

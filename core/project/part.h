@@ -45,6 +45,7 @@ struct Tolerance {
     std::optional<double> cylindricity_um;  ///< [µm]
     std::optional<double> total_runout_um;  ///< [µm]
     std::optional<double> roughness_ra_um;  ///< Ra [µm]
+    std::optional<double> waviness_um;      ///< from peak to valley [µm]
 };
 
 struct ShaftSegment {

@@ -81,6 +81,7 @@ public:
         checkProfile();
         checkZoneValues();
         checkMachineForm();
+        checkWheelRunout();
         checkGaps();
         checkBlank();
         project().operation->travels ? checkZones() : checkSections();
@@ -270,6 +271,43 @@ private:
 
     static inline const std::string roundnessPath = "/machine/form/roundness_um";
     static inline const std::string runoutPath = "/machine/form/runout_um";
+
+    /// Checks that one of the forms of the wheel's runout is given, and what it needs.
+    void checkWheelRunout() {
+        if (!project().wheel->runout) {
+            return;
+        }
+        const WheelRunout& runout = *project().wheel->runout;
+        const std::string path = "/wheel/runout";
+        const int forms = static_cast<int>(runout.amplitude_um.has_value())
+                          + static_cast<int>(runout.unbalance_g_mm.has_value())
+                          + static_cast<int>(runout.balance_grade_mm_s.has_value());
+        if (forms != 1) {
+            add(IssueCode::wrongCount, path, Count{forms},
+                Keys{{"amplitude_um", "unbalance_g_mm", "balance_grade_mm_s"},
+                     Keys::Kind::alternatives});
+            return;
+        }
+        if (runout.balance_grade_mm_s && !runout.rotor_mass_kg) {
+            const Field& mass = *tableOf<WheelRunout>().find("rotor_mass_kg");
+            add(IssueCode::missingKey, path + "/rotor_mass_kg", {}, Bounds{mass.hard, mass.unit});
+        }
+        if (runout.isForced() && !project().machine->stiffness_n_um) {
+            add(IssueCode::missingKey, "/machine/stiffness_n_um", {}, Phrase::object);
+        }
+        if (!sound({path, "/part/radii_per_section", "/machine/wheel_speed_m_s",
+                    "/machine/work_speed_rpm", "/wheel/diameter_mm"})) {
+            return;
+        }
+        const int least = radiiForWaves(project());
+        if (project().part->radii_per_section < least) {
+            const double most = tableOf<Part>().find("radii_per_section")->hard.high;
+            Bounds needed{{.low = 1.0 * least}, {}, "/wheel/runout"};
+            needed.range.high = least <= most ? most : needed.range.high;
+            warn(IssueCode::wavesUnresolved, "/part/radii_per_section",
+                 Count{project().part->radii_per_section}, needed);
+        }
+    }
 
     void checkProfile() {
         const Part& part = *project().part;

@@ -259,6 +259,13 @@ bool dullnessCounts(const Project& p, const void*) {
     return !recipe || !recipe->wear_flat_mm;
 }
 
+bool isBalanced(const Project& p, const void* owner) {
+    return conditions::wheelRunout(p, owner) && !conditions::unbalanced(p, owner);
+}
+bool hasGrade(const Project& p, const void*) {
+    return p.wheel->runout && p.wheel->runout->balance_grade_mm_s;
+}
+
 double sineOf(double angle_deg) {
     constexpr double halfTurn_deg = 180;
     return std::sin(angle_deg * std::numbers::pi / halfTurn_deg);
@@ -355,7 +362,74 @@ const StructInfo& tableOf<MeasuredRa>() {
     return info;
 }
 
+template <>
+const StructInfo& tableOf<WheelRunout>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(
+            WheelRunout, amplitude_um, .label = SPARKOUT_NOOP("Input", "Runout amplitude"),
+            .symbol = "e", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "from the unbalance"), .page = Page::wheel,
+            .hint =
+                SPARKOUT_NOOP("Input", "Half of the total runout of the cutting surface at the "
+                                       "working speed, as it has become since the last "
+                                       "dressing: a wheel just dressed at that speed has none."),
+            .formula = "h = t_П + e·cos ψ − (R_max0 − R_k)", .source = "MODEL-16"),
+        SPARKOUT_FIELD(WheelRunout, lobes, .label = SPARKOUT_NOOP("Input", "Waves of the wheel"),
+                       .symbol = "L", .hard = {1, 100}, .soft = {1, 10}, .relevant = isBalanced,
+                       .page = Page::wheel,
+                       .hint = SPARKOUT_NOOP("Input", "Number of waves around the wheel; 1: the "
+                                                      "surface is eccentric."),
+                       .formula = "ψ = ψ_0 + 2π·∫L·n_k dt", .source = "MODEL-16"),
+        SPARKOUT_FIELD(
+            WheelRunout, unbalance_g_mm, .label = SPARKOUT_NOOP("Input", "Unbalance"),
+            .symbol = "U", .unit = "g·mm", .hard = {0, 1e6, true}, .soft = {1, 1e4},
+            .nullMeaning = SPARKOUT_NOOP("Input", "from the grade, or none"), .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Mass out of balance times its radius, as it has become "
+                                           "since the last dressing. It acts as a force on the "
+                                           "wheel head, whose stiffness it needs."),
+            .formula = "e = U·ω²/j_w·1/|1 − (ω/ω_0)²|", .source = "HON174"),
+        SPARKOUT_FIELD(
+            WheelRunout, balance_grade_mm_s, .label = SPARKOUT_NOOP("Input", "Balance grade"),
+            .symbol = "G", .unit = "mm/s", .hard = {0, 4000, true}, .soft = {0.1, 16},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Balance quality of the wheel with its spindle, 1 for "
+                                           "the drives of grinders, 0.4 for the spindles of "
+                                           "precision grinders."),
+            .formula = "U = M·G/ω", .source = "ISO21940"),
+        SPARKOUT_FIELD(
+            WheelRunout, rotor_mass_kg, .label = SPARKOUT_NOOP("Input", "Mass of the rotor"),
+            .symbol = "M", .unit = "kg", .hard = {0, 10000, true}, .soft = {0.1, 500},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .relevant = hasGrade,
+            .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Mass of the wheel with its flanges and spindle; the "
+                                           "balance grade needs it."),
+            .formula = "U = M·G/ω", .source = "ISO21940"),
+        SPARKOUT_FIELD(
+            WheelRunout, phase_deg, .label = SPARKOUT_NOOP("Input", "Phase of the wheel"),
+            .symbol = "ψ_0", .unit = "°", .hard = {0, 360}, .page = Page::wheel,
+            .hint =
+                SPARKOUT_NOOP("Input", "Angle of the runout at the beginning of the cycle; at 0 "
+                                       "the wheel stands nearest to the part. In a batch it "
+                                       "may scatter over the whole turn."),
+            .formula = "ψ = ψ_0 + 2π·∫L·n_k dt", .source = "MODEL-16"),
+    };
+    static const StructInfo info =
+        makeTable<WheelRunout>(SPARKOUT_NOOP("Struct", "Wheel runout"), rows);
+    return info;
+}
+
 namespace {
+
+Field wheelRunout() {
+    return SPARKOUT_FIELD(
+        Wheel, runout, .label = SPARKOUT_NOOP("Input", "Wheel runout"),
+        .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .sparse = true, .page = Page::wheel,
+        .hint =
+            SPARKOUT_NOOP("Input", "How far the wheel runs out of true since its last dressing: "
+                                   "an amplitude, an unbalance or a balance grade. It prints "
+                                   "waves onto the part; not given, the waviness is not known."),
+        .formula = "h = t_П + e·cos ψ − (R_max0 − R_k)", .source = "MODEL-16");
+}
 
 Field radiusWear() {
     return SPARKOUT_FIELD(
@@ -493,6 +567,7 @@ const StructInfo& tableOf<Wheel>() {
                                              "Ra of a ground part, with the infeed and spark-out "
                                              "that it was measured at."),
                        .source = "MODEL-8"),
+        wheelRunout(),
     };
     static const StructInfo info = makeTable<Wheel>(SPARKOUT_NOOP("Struct", "Wheel"), rows);
     return info;

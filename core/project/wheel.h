@@ -29,6 +29,21 @@ struct MeasuredRa {
     friend bool operator==(const MeasuredRa&, const MeasuredRa&) = default;
 };
 
+/// The wheel out of true since its last dressing, which prints waves onto the work [MODEL-16]: a
+/// runout of its surface, or an unbalance that came afterwards, given itself or by its grade.
+struct WheelRunout {
+    std::optional<double> amplitude_um{};       ///< e, half of the total runout [µm]
+    int lobes = 1;                              ///< L of the amplitude
+    std::optional<double> unbalance_g_mm{};     ///< U [g·mm]
+    std::optional<double> balance_grade_mm_s{}; ///< G = U·ω/M [mm/s]
+    std::optional<double> rotor_mass_kg{};      ///< M, for the grade [kg]
+    double phase_deg = 0;                       ///< ψ_0 when the cycle begins [°]
+
+    /// Whether an unbalance moves the wheel head, whose stiffness then counts.
+    [[nodiscard]] bool isForced() const { return unbalance_g_mm || balance_grade_mm_s; }
+    friend bool operator==(const WheelRunout&, const WheelRunout&) = default;
+};
+
 /// Highest calibration factor of Ra.
 inline constexpr double mostRoughnessFactor = 100;
 
@@ -55,6 +70,7 @@ struct Wheel {
     std::string dressing;                ///< tool and settings, in words
     std::optional<ForceRecipe> force_recipe; ///< not given: force by η alone
     std::optional<MeasuredRa> measured_ra;   ///< determines the factor of Ra
+    std::optional<WheelRunout> runout;       ///< not given: not known
 };
 
 /// A wheel's recipe in terms of the force law of MODEL-2: the published sum over the grains in
@@ -82,6 +98,8 @@ template <>
 const StructInfo& tableOf<ForceRecipe>();
 template <>
 const StructInfo& tableOf<MeasuredRa>();
+template <>
+const StructInfo& tableOf<WheelRunout>();
 template <>
 const StructInfo& tableOf<Wheel>();
 

@@ -9,6 +9,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/roughness.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/stage_control.h"
@@ -113,7 +114,7 @@ double spreadLimit(const Project& project, const ForceLaw& law, double b, double
 
 bool isProvable(const Project& project) {
     return !project.operation->travels && !isCoupled(project) && !wheelContact(project)
-           && !hasThreshold(project) && zoneBlanks(*project.part).empty();
+           && !hasThreshold(project) && zoneBlanks(*project.part).empty() && !project.wheel->runout;
 }
 
 } // namespace

@@ -34,8 +34,9 @@
 /// blank's form.
 ///
 /// This is proved for uncoupled sections of a plunge of one blank without wheel contact, threshold
-/// of the force and retraction, with S counted from the size that the radius ends at. It allows for
-/// a last pass that begins without deflection and cuts the lanes differently, so it is wide.
+/// of the force, retraction and a wheel out of true, with S counted from the size that the radius
+/// ends at. It allows for a last pass that begins without deflection and cuts the lanes
+/// differently, so it is wide.
 ///
 /// The last cuts together. A last cut as great as this follows a small one. Let x and y be the last
 /// cut of the compliant lane and the one before, e = D_2 − D_1 after each pass:

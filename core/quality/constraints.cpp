@@ -40,7 +40,8 @@ constexpr Output<ConstraintResult> requirementTable[] = {
     {{.key = "ok"}, [](const ConstraintResult& c) { return c.holds; }},
     {{.key = "machine_known",
       .hint = "of roundness, cylindricity and runouts: whether the value includes the machine's "
-              "own form; otherwise it is the model's only"},
+              "own form, of the waviness whether it includes the wheel's runout; otherwise it is "
+              "the model's only"},
      [](const ConstraintResult& c) { return c.knowsMachine; },
      nullptr,
      [](const ConstraintResult& c) { return isPrinted(c.kind); }},
@@ -66,7 +67,8 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 
 bool isPrinted(ConstraintKind kind) {
     return kind == ConstraintKind::roundness || kind == ConstraintKind::cylindricity
-           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout;
+           || kind == ConstraintKind::radialRunout || kind == ConstraintKind::totalRunout
+           || kind == ConstraintKind::waviness;
 }
 
 bool knowsMachine(ConstraintKind kind, const Project& project) {
@@ -75,6 +77,7 @@ bool knowsMachine(ConstraintKind kind, const Project& project) {
     case ConstraintKind::cylindricity: return isRoundnessKnown(*project.machine);
     case ConstraintKind::radialRunout:
     case ConstraintKind::totalRunout: return isRunoutKnown(*project.machine);
+    case ConstraintKind::waviness: return areWavesKnown(project);
     default: return true;
     }
 }

@@ -44,13 +44,15 @@ struct ConstraintResult {
         otherEnd{}; ///< other end of a machine range, where `limit` is the nearer one
     std::optional<double> mostValue{}; ///< upper end of an estimate, whose lower end is the value
     bool isWhole = true; ///< false: strips stay uncut, and value and margin cover the rest alone
-    bool knowsMachine = true; ///< false: the machine's own form error is unknown and not included
+    /// False: what the machine, or of the waviness the wheel, prints is unknown or unresolved, and
+    /// not included.
+    bool knowsMachine = true;
 };
 
-/// Whether the machine's form error affects the requirement: roundness, cylindricity and runouts.
+/// Whether the machine's form error or the wheel's runout affects the requirement: roundness,
+/// cylindricity, runouts and waviness.
 [[nodiscard]] bool isPrinted(ConstraintKind kind);
-/// Whether the machine's form error is known and so included in the value; true if it does not
-/// affect it.
+/// Whether what they print is known and so included in the value; true if it does not affect it.
 [[nodiscard]] bool knowsMachine(ConstraintKind kind, const Project& project);
 
 /// The side on which a limit bounds.

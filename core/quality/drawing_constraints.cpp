@@ -4,6 +4,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/quality/roughness.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -110,6 +111,13 @@ void evaluateTotalRunout(ConstraintKind kind, const Judged& of, ConstraintResult
 
 std::optional<FormulaSheet> sheetOfTotalRunout(const Judged& of) {
     return totalRunoutSheet(shapesOf(of.result), geometricRunout(of.result));
+}
+
+void evaluateWaviness(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto& limit = toleranceOf(of).waviness_um) {
+        const Waviness waves = profileWaves(of.result, static_cast<std::size_t>(of.section));
+        addTolerance(kind, of, *limit, waves.height_mm, found);
+    }
 }
 
 void evaluateRoughness(ConstraintKind kind, const Judged& of, ConstraintResults& found) {

@@ -40,6 +40,8 @@ void evaluateCylindricity(ConstraintKind kind, const Judged& of, ConstraintResul
 void evaluateTotalRunout(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 [[nodiscard]] std::optional<FormulaSheet> sheetOfTotalRunout(const Judged& of);
 
+void evaluateWaviness(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+
 void evaluateRoughness(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 [[nodiscard]] std::optional<FormulaSheet> sheetOfRoughness(const Judged& of);
 [[nodiscard]] std::optional<double> roughnessDepth(const Project& project, double b, double stock);

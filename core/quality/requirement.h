@@ -24,6 +24,7 @@ enum class ConstraintKind {
     roundness,
     cylindricity,
     totalRunout,
+    waviness,
     roughness,
     burn,
     selfSharpening,

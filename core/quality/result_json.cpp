@@ -7,6 +7,7 @@
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -267,6 +268,20 @@ ordered_json radiiJson(const ZoneFigures& zone) {
     return radii;
 }
 
+ordered_json wavesJson(const PlaceWaves& waves) {
+    constexpr double least_um = 1e-3; // lower amplitudes are left out
+    ordered_json json = outputsJson(wavinessOutputs(), waves);
+    ordered_json orders = ordered_json::array();
+    for (const Harmonic& each : waves.waves ? waves.waves->orders : std::vector<Harmonic>()) {
+        if (const double amplitude_um = each.amplitude_mm * units::umPerMm;
+            amplitude_um >= least_um) {
+            orders.push_back({{"order", each.lobes}, {"amplitude_um", amplitude_um}});
+        }
+    }
+    json["orders"] = waves.waves ? std::move(orders) : ordered_json(nullptr);
+    return json;
+}
+
 /// The sections of a zone with several.
 ordered_json zoneSectionsJson(const SimulationResult& result, const ZoneFigures& zone,
                               std::size_t index) {
@@ -296,6 +311,9 @@ ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& ac
             machineJson(result.project, {ConstraintKind::radialRunout, ConstraintKind::roundness});
         if (zone.ifEven) {
             one.update(outputsJson(evenLobesOutputs(), zone));
+        }
+        if (const std::optional<PlaceWaves> waves = placeWaves(result, i)) {
+            one["waviness"] = wavesJson(*waves);
         }
         if (zone.form) {
             one.update(outputsJson(zoneFormOutputs(), zone));

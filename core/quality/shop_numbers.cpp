@@ -232,7 +232,7 @@ constexpr Output<ShopNumbers> shopRows[] = {
 
 // The hints above contain these numbers.
 static_assert(leastSpecificEnergy_j_mm3 == 20 && mostSpecificEnergy_j_mm3 == 120
-              && nearInteger == 0.05);
+              && nearRatio == 0.05);
 
 } // namespace
 
@@ -259,7 +259,8 @@ double distanceFromWhole(double rotationRatio) {
 }
 
 bool ShopNumbers::ratioNearInteger() const {
-    return distanceFromWhole(rotationRatio) <= nearInteger;
+    const double whole = std::round(rotationRatio);
+    return whole >= 1 && std::abs(rotationRatio - whole) <= nearRatio;
 }
 
 ShopNumbers shopNumbers(const SimulationResult& result) {

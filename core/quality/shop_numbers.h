@@ -37,10 +37,6 @@ namespace sparkout {
 inline constexpr double leastSpecificEnergy_j_mm3 = 20;
 inline constexpr double mostSpecificEnergy_j_mm3 = 120;
 
-/// A rotation ratio this near to a whole number superimposes the wheel's waves: over ten
-/// revolutions, a usual spark-out, they shift by less than half of their length [BADGER2010].
-inline constexpr double nearInteger = 0.05;
-
 /// The figures of one stage of the cycle, or of all.
 struct ShopColumn {
     int count = 0;     ///< double strokes or revolutions
@@ -74,7 +70,7 @@ struct ShopNumbers {
     double wheelSpeed_rpm = 0;
     double rotationRatio = 0; ///< wheel rev/min : work rev/min
 
-    /// Whether the ratio is within `nearInteger` of a whole number from 1 on.
+    /// Whether the ratio is within nearRatio of a whole number from 1 on.
     [[nodiscard]] bool ratioNearInteger() const;
 };
 

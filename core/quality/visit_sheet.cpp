@@ -106,7 +106,7 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     // The wheel cuts in the machine's frame.
     const double a = visit.actual_mm, after = visit.radius_mm + side * visit.printed_mm;
     const double before = after + side * a;
-    const double h = visit.programmed_mm - side * (first - before);
+    const double h = visit.programmed_mm + visit.wave_mm - side * (first - before);
     const double b = of.effectiveWidth_mm;
 
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Elastic balance of one radius"), "MODEL-3", {}};
@@ -117,9 +117,16 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     const FormulaTerm infeed{"t_П", visit.programmed_mm, "mm"};
     const FormulaTerm touch{external ? "R_max0" : "R_min0", first, "mm"};
     const FormulaTerm R{"R_k", before, "mm"};
-    state(&sheet,
-          external ? "{h} = {t_П} − ({R_max0} − {R_k})" : "{h} = {t_П} − ({R_k} − {R_min0})",
-          {"h", h, "mm"}, {infeed, touch, R});
+    if (visit.wave_mm == 0) {
+        state(&sheet,
+              external ? "{h} = {t_П} − ({R_max0} − {R_k})" : "{h} = {t_П} − ({R_k} − {R_min0})",
+              {"h", h, "mm"}, {infeed, touch, R});
+    } else {
+        state(&sheet,
+              external ? "{h} = {t_П} + {w} − ({R_max0} − {R_k})"
+                       : "{h} = {t_П} + {w} − ({R_k} − {R_min0})",
+              {"h", h, "mm"}, {infeed, {"w", visit.wave_mm, "mm"}, touch, R});
+    }
     const bool touches = hasThreshold(project) && visit.normalForce_n > 0;
     if (!(a > 0) && !touches) {
         state(&sheet, "{a}", {"a", 0, "mm"}, {}); // the wheel does not touch it

@@ -7,6 +7,7 @@
 #include "core/process/printed_form.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/process/wheel_wave.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -399,7 +400,7 @@ private:
 /// Whether passes of a radius follow one another as the release and the build-up suppose.
 bool countsPasses(const Project& project) {
     return !project.operation->travels && !isCoupled(project) && !wheelContact(project)
-           && !hasThreshold(project);
+           && !hasThreshold(project) && !project.wheel->runout;
 }
 
 /// Replaces a smaller bound.
@@ -423,7 +424,8 @@ SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool 
     const double all_mm = blank.totalInfeed_mm;
     const double short_mm = std::max(all_mm - depthAtEnd_mm(project, all_mm), 0.0);
     const double left = sparksOut ? leftByField_mm(*project.part) : short_mm;
-    const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project); ///< stock left
+    const double end = left + 2 * stageSlack_mm + mostOfDiameters_mm(project)
+                       + wheelAmplitude_mm(project); ///< stock left
     const double all = blank.totalInfeed_mm - end;
     // a datum of the position control may be nearer than the first touch; wear of the wheel shifts
     // the beginning and the end of the feed alike

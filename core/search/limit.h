@@ -99,8 +99,9 @@ struct SteplessLimit {
 ///
 /// Feeds are free up to the machine's range, without one up to the greatest of the grid and of the
 /// project's cycle. With the greatest infeed f of a step also T ≥ ⌈|R_first − R_t|/f⌉ steps, since
-/// no depth exceeds t_П; the greater of the two bounds holds. Under position control, where the
-/// size is not gauged, only the second does.
+/// no depth exceeds t_П, or t_П + e under a wheel out of true, for which |R_first − R_t| counts e
+/// less and single passes are not counted; the greater of the two bounds holds. Under position
+/// control, where the size is not gauged, only the second does.
 ///
 /// In traverse both count the dwells and strokes of a double stroke alone. Its infeed x takes
 /// ⌈n·x/S_rad⌉ additional revolutions of plunging in, S_rad as the machine is set, at either

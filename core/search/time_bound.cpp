@@ -4,6 +4,7 @@
 #include "core/process/printed_form.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/process/wheel_wave.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
@@ -35,10 +36,12 @@ double blankInfeed_mm(const Project& project, double total_mm) {
     return std::min(total_mm, project.part->stock_mm + zones[gauged].stock_mm);
 }
 
-/// The gauge may read the size this much before it is reached in the machine's frame.
+/// The gauge may read the size this much before it is fed: by the form that the machine prints, and
+/// by what a wheel out of true cuts deeper.
 double sureInfeed_mm(const Project& project, double total_mm) {
-    const double before_mm =
-        project.gauge->control == Control::gauge ? mostOfDiameters_mm(project) : 0;
+    const double before_mm = project.gauge->control == Control::gauge
+                                 ? mostOfDiameters_mm(project) + wheelAmplitude_mm(project)
+                                 : 0;
     return depthAtEnd_mm(project, blankInfeed_mm(project, total_mm)) - before_mm;
 }
 

@@ -44,6 +44,7 @@ constexpr std::array<std::string_view, 26> members{"/title",
                                                    "/machine/wheel_speed_m_s",
                                                    "/machine/wheel_speed_control",
                                                    "/machine/stiffness_n_um",
+                                                   "/machine/wheel_head_frequency_hz",
                                                    "/machine/geometric_runout_um",
                                                    "/machine/gauge_repeatability_um",
                                                    "/machine/gauge_drift_um_h",
@@ -163,6 +164,7 @@ void copyShared(const Project& from, Project& to) {
     machine.wheel_speed_m_s = shared.wheel_speed_m_s;
     machine.wheel_speed_control = shared.wheel_speed_control;
     machine.stiffness_n_um = shared.stiffness_n_um;
+    machine.wheel_head_frequency_hz = shared.wheel_head_frequency_hz;
     machine.geometric_runout_um = shared.geometric_runout_um;
     machine.gauge_repeatability_um = shared.gauge_repeatability_um;
     machine.gauge_drift_um_h = shared.gauge_drift_um_h;

@@ -149,11 +149,11 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     }
 }
 
-SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Place& at,
-                                                CutWidth& width, const std::stop_token& stop) {
+SectionCoupling::Outcome SectionCoupling::solve(const Run& run, const PassFeed& feed,
+                                                const Place& at, CutWidth& width,
+                                                const std::stop_token& stop) {
     for (std::size_t k = 0; k < m_radii; ++k) {
-        m_fed[k / sideBySide].of[k % sideBySide] =
-            feed.at(static_cast<double>(k + 1) / static_cast<double>(m_radii));
+        m_fed[k / sideBySide].of[k % sideBySide] = run.wheelAt(k, feed);
     }
     m_root.swap(m_rootBefore); // the oldest of the three are overwritten by the next
     m_root.swap(m_rootTwoBefore);

@@ -38,7 +38,7 @@ public:
     /// as v, determines the depth of a pass.
     static void takeOver(CutWidth& width);
     /// Solves the next revolution and writes it to `width`. `at` is its place in the cycle.
-    Outcome solve(const PassFeed& feed, const Place& at, CutWidth& width,
+    Outcome solve(const Run& run, const PassFeed& feed, const Place& at, CutWidth& width,
                   const std::stop_token& stop);
 
     /// Replaces the largest section's peak force and power by those of the integrals over the
@@ -80,7 +80,7 @@ private:
     std::vector<double> m_oneLag, m_oneRoot, m_oneRubbing; ///< for one radius
     std::vector<bool> m_cutAll;       ///< by radius: all sections cut it in the last revolution
     std::vector<double> m_gaugeDepth; ///< for each radius [mm]
-    std::vector<Row> m_fed;           ///< t_П, a row for each block [mm]
+    std::vector<Row> m_fed;           ///< where the wheel stands, a row for each block [mm]
     std::vector<Row> m_normal,
         m_tangential; ///< the sums of the forces of all sections [N]
     double m_wheelSpeed_m_s;

@@ -108,7 +108,8 @@ private:
             const Visit& visit =
                 m_trajectory.visits[pass.firstVisit + static_cast<std::size_t>(m_scene.radius)];
             const std::size_t at = sectionOf(pass.place);
-            const double edge = m_first_mm - m_scene.removalSign * visit.programmed_mm;
+            const double edge =
+                m_first_mm - m_scene.removalSign * (visit.programmed_mm + visit.wave_mm);
             const double yield =
                 visit.actual_mm > 0 ? m_scene.removalSign * (visit.radius_mm - edge) : 0;
             if (!travels) {

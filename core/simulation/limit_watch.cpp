@@ -56,9 +56,11 @@ void LimitWatch::keepStep(const Lanes& lanes, const Step& step) {
     const double* const share = lanes.share.data();
     const std::size_t count = lanes.depth_mm.size();
     const double spiral_mm = step.isSpiral ? step.infeed_mm : 0;
+    const bool waves = !lanes.waveCos.empty();
     for (std::size_t lane = 0; lane < count; ++lane) {
         const double taken = depth_mm[lane] - before_mm[lane];
-        const double pressed = step.fed_mm - spiral_mm * (1 - share[lane]) - before_mm[lane];
+        const double stood = step.fed_mm - spiral_mm * (1 - share[lane]) - before_mm[lane];
+        const double pressed = waves ? std::max(stood, taken) : stood; // t_П leaves out the wave
         const double kept = taken_mm[lane];
         const bool isNewer = isWhole   ? taken > 0
                              : isShort ? taken > kept

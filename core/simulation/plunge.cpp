@@ -45,7 +45,7 @@ public:
             m_coupling.emplace(project, points(project, stop), m_run.blank(), stop);
             SectionCoupling::takeOver(*m_width);
         }
-        if (!m_coupling && !m_hasFreeGauge && m_run.isEachAlone() && !m_run.printsForm()) {
+        if (!m_coupling && !m_hasFreeGauge && m_run.isEachAlone()) {
             auto balances = std::make_shared<std::vector<LaneBalance>>();
             for (std::size_t j = 0; j < m_sections; ++j) {
                 balances->push_back(m_run.balance(j, project.part->length_mm));
@@ -71,7 +71,7 @@ public:
             place.cycleCount = m_steps;
         }
         const double duration = units::secondsPerMinute / m_project.machine->work_speed_rpm;
-        const PassFeed feed = revolution(m_run.fed_mm, infeed);
+        const PassFeed feed = m_run.withWave(revolution(m_run.fed_mm, infeed));
         if (m_coupling && !couple(feed)) {
             return false;
         }
@@ -129,7 +129,7 @@ private:
     }
 
     bool couple(const PassFeed& feed) {
-        switch (m_coupling->solve(feed, m_places.front(), *m_width, m_stop)) {
+        switch (m_coupling->solve(m_run, feed, m_places.front(), *m_width, m_stop)) {
         case SectionCoupling::Outcome::solved: return true;
         case SectionCoupling::Outcome::notSolved: m_run.setStatus(RunStatus::notSolved); break;
         case SectionCoupling::Outcome::stopped: m_run.setStatus(RunStatus::stopped); break;

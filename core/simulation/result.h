@@ -159,12 +159,13 @@ struct Visit {
     double radius_mm = 0;      ///< R_k of the part after the pass; NaN in a gap
     double normalForce_n = 0;  ///< P_y(a)
     double printed_mm = 0;     ///< c(φ_k): additional remaining stock in the machine's frame
+    double wave_mm = 0;        ///< w, by which a wheel out of true stood nearer than t_П
 
     /// Returns whether the wheel passed a gap.
     [[nodiscard]] bool isGap() const { return std::isnan(radius_mm) && actual_mm == 0; }
 };
 
-/// Greatest number of visits that is recorded: each takes 56 bytes, and 130 more as a trace.
+/// Greatest number of visits that is recorded: each takes 64 bytes, and 130 more as a trace.
 inline constexpr long long maxRecordedVisits = 2'000'000;
 
 /// All passes and visits of a run; recorded only on request.

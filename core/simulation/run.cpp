@@ -77,6 +77,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_blank(makeBlank(*project.part))
     , m_sizeDepth_mm(m_blank.totalInfeed_mm + deeperAtSize_mm(project))
     , m_printed_mm(printedLanes(project, points.size()))
+    , m_wave(wheelWave(project))
     , m_diameters(wholeDiameters(m_blank))
     , m_radii(project.part->radii_per_section)
     , m_points(std::move(points))
@@ -103,6 +104,9 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
         const std::size_t k = lane % K;
         m_lanes.depth_mm[lane] = m_blank.depthAt(placeOfPoint(project, lane / K))[k];
         m_lanes.share[lane] = static_cast<double>(k + 1) / m_radii;
+    }
+    if (m_wave) {
+        m_wave->prepare(m_lanes, K);
     }
     m_watch.prepare(m_lanes);
     m_openDepth_mm = m_lanes.depth_mm;
@@ -136,6 +140,15 @@ void Run::setWidth(CutWidth& cut, double width_mm) const {
     for (std::size_t point = 0; point < m_points.size(); ++point) {
         cut.coefficients.set(point * K, m_points[point].gamma_mm_n, cut.bks, cut.bkr, K);
     }
+}
+
+PassFeed Run::withWave(PassFeed feed, double later_s) {
+    if (m_wave) {
+        const double turns = (m_result.time_s + later_s) * m_project.machine->work_speed_rpm
+                             / units::secondsPerMinute;
+        m_wave->put(wholeTurns(turns), feed, m_lanes, static_cast<std::size_t>(m_radii));
+    }
+    return feed;
 }
 
 void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const PassFeed& feed,
@@ -268,7 +281,8 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
                      .radius_mm = finalRadius(point * count + k),
                      .normalForce_n = rubbing ? m_law.normalOfAll(width_mm, u * u, rubbing[k])
                                               : m_law.normal(width_mm, u),
-                     .printed_mm = m_printed_mm ? (*m_printed_mm)[point * count + k] : 0};
+                     .printed_mm = m_printed_mm ? (*m_printed_mm)[point * count + k] : 0,
+                     .wave_mm = m_lanes.waveAt(point * count + k, feed)};
     }
 }
 

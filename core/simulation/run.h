@@ -6,6 +6,7 @@
 #include "core/process/pass_kernel.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/process/wheel_wave.h"
 #include "core/project/part.h"
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/result.h"
@@ -48,6 +49,17 @@ public:
         double axialFeed_mm_min = 0; ///< > 0: a stroke, whose visits carry the stroke's end as time
         double radialFeed_mm = 0;
     };
+
+    /// Returns the feed of a pass that is due this much later, with the wave of a wheel out of
+    /// true. The pass must be cut before the next one is asked for.
+    [[nodiscard]] PassFeed withWave(PassFeed feed, double later_s = 0);
+    /// Returns whether the wheel prints waves, so that passes differ by the time at which they
+    /// begin.
+    [[nodiscard]] bool printsWaves() const { return m_wave.has_value(); }
+    /// Where the surface of the wheel stands at radius k in such a pass [mm].
+    [[nodiscard]] double wheelAt(std::size_t k, const PassFeed& feed) const {
+        return m_lanes.wheelAt(k, feed);
+    }
 
     /// Cuts `count` neighbouring zones or sections from `first` on in one pass. `places[i]` is the
     /// place of the i-th of them; without places the pass does not count for peaks and trajectory.
@@ -106,9 +118,6 @@ public:
     [[nodiscard]] double time_s() const { return m_result.time_s; }
     [[nodiscard]] long long visits() const { return m_result.visits; }
     [[nodiscard]] bool surelyBurned() const { return m_watch.surelyBurned(); }
-    /// Returns whether the machine prints a form onto the part: its radii then differ from the
-    /// depths, which are in the machine's frame [MODEL-7].
-    [[nodiscard]] bool printsForm() const { return m_printed_mm != nullptr; }
     /// Returns the least and greatest of a point's current diameters D_k, less the nominal one
     /// [mm].
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
@@ -124,8 +133,9 @@ public:
     /// Lane of the deepest radius of a point, and lanes of the deepest diameter of all points.
     [[nodiscard]] std::size_t deepestLane(std::size_t point) const;
     [[nodiscard]] std::pair<std::size_t, std::size_t> deepestDiameter() const;
-    /// Returns whether each radius has its own balance, without a contact in series.
-    [[nodiscard]] bool isEachAlone() const { return !m_contact; }
+    /// Returns whether a radius can be followed by itself: it has its own balance, without a
+    /// contact in series, its depth is that of the part, and each pass is as any other.
+    [[nodiscard]] bool isEachAlone() const { return !m_contact && !m_printed_mm && !printsWaves(); }
     /// Depth of a lane below first touch, and the share of the revolution at which it is visited.
     [[nodiscard]] double depth_mm(std::size_t lane) const { return m_lanes.depth_mm[lane]; }
     [[nodiscard]] double share(std::size_t lane) const { return m_lanes.share[lane]; }
@@ -183,6 +193,7 @@ private:
     Blank m_blank;
     double m_sizeDepth_mm; ///< |R_first − R_t| plus half of the gauge's excess reading
     std::shared_ptr<const std::vector<double>> m_printed_mm; ///< c of each lane; null: no form
+    std::optional<WheelWave> m_wave;      ///< empty: the runout of the wheel is not known
     std::vector<std::size_t> m_diameters; ///< k of the diameters without a gap; empty: all
     int m_radii;
     std::vector<CompliantPoint> m_points;

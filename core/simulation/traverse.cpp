@@ -102,7 +102,7 @@ public:
 
     const RadiusFollower* follower() const override {
         const bool inMiddle = m_gaugePoint == static_cast<std::size_t>(Zone::nz);
-        const bool alone = m_run.isEachAlone() && m_inZone == 0 && !m_run.printsForm();
+        const bool alone = m_run.isEachAlone() && m_inZone == 0;
         return inMiddle && alone ? this : nullptr;
     }
 
@@ -309,18 +309,24 @@ private:
         return pass;
     }
 
-    /// A zone is visited when the wheel's middle is nearest to its own: in РЗ1 o1/2 from the
-    /// wheel's reversal, in НЗ halfway, in РЗ2 o2/2 from the reversal, on the way there or back.
-    std::array<double, zoneCount> fedInStroke(double fed, const StrokeFeed& feed,
-                                              bool there) const {
+    /// The share of a stroke after which a zone is visited: when the wheel's middle is nearest to
+    /// its own: in РЗ1 o1/2 from the wheel's reversal, in НЗ halfway, in РЗ2 o2/2 from the
+    /// reversal, on the way there or back.
+    [[nodiscard]] double wayShare(std::size_t zone, bool there) const {
         const Machine& machine = *m_project.machine;
         const std::array<double, zoneCount> way_mm{
             std::max(machine.overrun_entry_mm, 0.0) / 2, m_travel_mm / 2,
             m_travel_mm - std::max(machine.overrun_exit_mm, 0.0) / 2};
+        const double share = way_mm[zone] / m_travel_mm;
+        return there ? share : 1 - share;
+    }
+
+    /// t_П where the zones are visited.
+    std::array<double, zoneCount> fedInStroke(double fed, const StrokeFeed& feed,
+                                              bool there) const {
         std::array<double, zoneCount> fedAt{};
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-            const double share = way_mm[zone] / m_travel_mm;
-            fedAt[zone] = feed.after(fed, feed.perStroke_mm * (there ? share : 1 - share));
+            fedAt[zone] = feed.after(fed, feed.perStroke_mm * wayShare(zone, there));
         }
         return fedAt;
     }
@@ -362,19 +368,22 @@ private:
                                     place(Zone::rz2, pass.steps[2])};
             const Run::PassInfo info{
                 .duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = infeed};
-            if (!pass.drift) {
+            if (!visitsApart(pass)) {
                 m_run.cut(0, zoneCount, *m_stroke, pass.feed, places.data(), info);
             } else {
-                const auto fed = fedInStroke(pass.feed.base, *pass.drift, pass.there);
+                const auto fed = fedInStroke(pass.feed.base,
+                                             pass.drift ? *pass.drift : StrokeFeed(), pass.there);
                 for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-                    m_run.cut(zone, 1, *m_stroke, {.base = fed[zone]}, &places[zone], info);
+                    const double later_s = duration * wayShare(zone, pass.there);
+                    m_run.cut(zone, 1, *m_stroke, m_run.withWave({.base = fed[zone]}, later_s),
+                              &places[zone], info);
                 }
             }
             if (m_inZone > 0) {
                 for (std::size_t i = 0; i < m_places.size(); ++i) {
                     m_places[i] = places[i / m_inZone];
                 }
-                cutSections(0, m_places.size(), *m_stroke, pass, info);
+                strokeOverSections(pass, info);
             }
             m_run.advance(duration, m_stage);
             return true;
@@ -385,27 +394,34 @@ private:
         const Place at = place(pass.zone, pass.steps[0], pass.revolution);
         const auto zone = static_cast<std::size_t>(pass.zone);
         const Run::PassInfo info{.duration_s = revolution_s(), .radialFeed_mm = infeed};
-        m_run.cut(zone, 1, plungeCut(pass.zone), pass.feed, &at, info);
+        const PassFeed feed = m_run.withWave(pass.feed);
+        m_run.cut(zone, 1, plungeCut(pass.zone), feed, &at, info);
         if (m_inZone > 0) {
-            std::fill_n(m_places.begin() + static_cast<std::ptrdiff_t>(zone * m_inZone), m_inZone,
-                        at);
-            cutSections(zone * m_inZone, m_inZone, plungeCut(pass.zone), pass, info);
+            const std::size_t first = zone * m_inZone;
+            std::fill_n(m_places.begin() + static_cast<std::ptrdiff_t>(first), m_inZone, at);
+            m_run.cut(zoneCount + first, m_inZone, plungeCut(pass.zone), feed, &m_places[first],
+                      info);
         }
         m_run.advance(revolution_s(), m_stage);
         return true;
     }
 
-    /// Cuts the sections of zones with several sections; requires their places.
-    void cutSections(std::size_t first, std::size_t count, const CutWidth& width, const Pass& pass,
-                     const Run::PassInfo& info) {
-        if (!pass.drift) {
-            m_run.cut(zoneCount + first, count, width, pass.feed, &m_places[first], info);
+    /// Whether the zones or sections of a stroke are visited at moments of their own.
+    bool visitsApart(const Pass& pass) const { return pass.drift || m_run.printsWaves(); }
+
+    /// Cuts the sections of zones with several sections in a stroke; requires their places.
+    void strokeOverSections(const Pass& pass, const Run::PassInfo& info) {
+        if (!visitsApart(pass)) {
+            m_run.cut(zoneCount, m_places.size(), *m_stroke, pass.feed, m_places.data(), info);
             return;
         }
-        for (std::size_t i = first; i < first + count; ++i) {
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
             const double share = pass.there ? m_wayShares[i] : 1 - m_wayShares[i];
-            const double fed = pass.drift->after(pass.feed.base, pass.drift->perStroke_mm * share);
-            m_run.cut(zoneCount + i, 1, width, {.base = fed}, &m_places[i], info);
+            const double fed =
+                pass.drift ? pass.drift->after(pass.feed.base, pass.drift->perStroke_mm * share)
+                           : pass.feed.base;
+            const PassFeed feed = m_run.withWave({.base = fed}, info.duration_s * share);
+            m_run.cut(zoneCount + i, 1, *m_stroke, feed, &m_places[i], info);
         }
     }
 

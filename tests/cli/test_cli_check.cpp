@@ -34,6 +34,19 @@ private slots:
         QCOMPARE(run({"simulate", save("loose.sparkout", loose.dump()), "--check"}).status, 0);
     }
 
+    void wavinessIsStatedWhereTheWheelIsKnown() {
+        json file = samples::sample("complete");
+        const auto answer = [&] {
+            return run({"simulate", save("wavy.sparkout", file.dump())}).out;
+        };
+        QVERIFY(!has(answer(), "waviness"));
+        file["wheel"]["runout"] = {{"amplitude_um", 2}};
+        file["part"]["radii_per_section"] = 36;
+        QVERIFY(has(answer(), "waviness not decided: at least 72 radii a section"));
+        file["part"]["radii_per_section"] = 72;
+        QVERIFY(has(answer(), ", most of order "));
+    }
+
     void checkExits4ForEachRequirement_data() {
         addColumns<QString, QString, double, double>("name", "path", "holds", "fails");
         QStringList named;
@@ -47,6 +60,7 @@ private slots:
         row("roundness", "/part/tolerance/roundness_um", 50, 1e-9);
         row("cylindricity", "/part/tolerance/cylindricity_um", 50, 1e-9);
         row("total_runout", "/part/tolerance/total_runout_um", 50, 1e-9);
+        row("waviness", "/part/tolerance/waviness_um", 50, 1e-3);
         row("roughness", "/part/tolerance/roughness_ra_um", 50, 1e-6);
         row("burn", "/material/burn_rise_k", 3000, 50);
         row("self_sharpening", "/wheel/grains_per_mm2", 1000, 0.01);
@@ -120,6 +134,9 @@ private:
         file["machine"]["wheel_drive_kw"] = nullptr;
         const json limits = file["machine"]["limits"];
         file["machine"]["limits"] = json::object();
+        if (path.endsWith("waviness_um")) {
+            file["wheel"]["runout"] = {{"amplitude_um", 2}};
+        }
         if (path.startsWith("/machine/limits/")) {
             const std::string range = path.section('/', 3, 3).toStdString();
             const bool isContinuous = range == "continuous_feed_mm_min";

@@ -180,6 +180,7 @@ constexpr std::array helpContents{
     HelpEntry{"messages", viewPages},
     HelpEntry{"plots", viewPages},
     HelpEntry{"model", modelPages},
+    HelpEntry{"waves", modelPages},
     HelpEntry{"limits", modelPages},
     HelpEntry{"validation", modelPages}, // written by tests/validation/validation.py
     HelpEntry{"glossary", modelPages},

@@ -96,7 +96,8 @@ Facts PassportInputs::drawing(const Project& project) {
                  inputFact(project, "/part/lower_deviation_um")}};
     for (const char* path : {"/part/target_diameter_mm", "/part/tolerance/radial_runout_um",
                              "/part/tolerance/roundness_um", "/part/tolerance/cylindricity_um",
-                             "/part/tolerance/total_runout_um", "/part/tolerance/roughness_ra_um",
+                             "/part/tolerance/total_runout_um", "/part/tolerance/waviness_um",
+                             "/part/tolerance/roughness_ra_um",
                              "/machine/wheel_drive_kw", "/machine/work_drive_kw"}) {
         const ConstMember member = findMember(project, path);
         auto [name, value] = inputFact(project, path);

@@ -323,6 +323,7 @@ public:
     static QString diameter(const Outcome& outcome, const ConstraintResult& c);
     static QString form(const Outcome& outcome, const ConstraintResult& c);
     static QString wholePart(const Outcome& outcome);
+    static QString waves(const Project& project);
     static QString place(const Outcome& outcome, const ConstraintResult& c);
 };
 
@@ -382,6 +383,22 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
     }
     return c.holds ? text + u'.'
                    : text + tr(". More passes without feed or a smaller last feed reduce it.");
+}
+
+QString VerdictWhy::waves(const Project& project) {
+    if (!project.wheel->runout) {
+        return tr("The runout of the wheel is not given, so the waves it prints are not known.");
+    }
+    const int order = orderOfWaves(project);
+    if (!areWavesKnown(project)) {
+        return tr("%1 radii do not resolve the waves of the wheel; %2 are needed.")
+            .arg(project.part->radii_per_section)
+            .arg(radiiForWaves(project));
+    }
+    return tr("A wheel with an amplitude of %1 µm prints %2 waves around the part. A work speed at "
+              "which the ratio of the speeds is not near to a whole number leaves less of them.")
+        .arg(Names::micrometres(wheelAmplitude_mm(project) * units::umPerMm))
+        .arg(order);
 }
 
 /// Compares mean radii with their own mean, and the roundness of the worst section.
@@ -461,6 +478,7 @@ QString why(const Outcome& outcome, const ConstraintResult& requirement) {
     case ConstraintKind::diameterMax: return VerdictWhy::diameter(outcome, requirement);
     case ConstraintKind::radialRunout:
     case ConstraintKind::roundness: return VerdictWhy::form(outcome, requirement);
+    case ConstraintKind::waviness: return VerdictWhy::waves(outcome.result.project);
     case ConstraintKind::cylindricity:
     case ConstraintKind::totalRunout: return VerdictWhy::wholePart(outcome);
     default: return requirement.at ? VerdictWhy::place(outcome, requirement) : QString();

@@ -241,6 +241,10 @@ QString Names::formAmount(double value, bool isKnown, int decimals) {
                : QStringLiteral("≥ ") + fixed(value, decimals);
 }
 
+QString Names::ofWheel(const QString& quantity, bool isKnown) {
+    return isKnown ? quantity : tr("%1, waves not known", "that the wheel prints").arg(quantity);
+}
+
 QString Names::issue(const Issue& issue) {
     const QString text = issueText(issue);
     return issue.path.empty() ? text : inputLocation(issue.path) + QStringLiteral(": ") + text;

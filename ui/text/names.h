@@ -62,6 +62,9 @@ public:
     /// The value of such a quantity: `amountFixed`, or, without the machine's own error, "≥ 0.54",
     /// at least what the process leaves, and a dash if that rounds to 0.
     static QString formAmount(double value, bool isKnown, int decimals = 2);
+    /// The waviness, "waviness, waves not known" if the wheel's runout is not given or not
+    /// resolved.
+    static QString ofWheel(const QString& quantity, bool isKnown);
     /// The first `most` errors of a refused input, each on its own line.
     static QString refusal(const Issues& issues, int most = 3);
     /// Whether missing inputs are the only errors.

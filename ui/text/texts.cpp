@@ -62,6 +62,8 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "h"),
     QT_TRANSLATE_NOOP("Unit", "kW/A"),
     QT_TRANSLATE_NOOP("Unit", "kg"),
+    QT_TRANSLATE_NOOP("Unit", "g·mm"),
+    QT_TRANSLATE_NOOP("Unit", "Hz"),
     QT_TRANSLATE_NOOP("Unit", "1/mm"),
 };
 
@@ -305,6 +307,8 @@ constexpr std::array names{
                                                        "properties")},
     SourceName{"MODEL-12", QT_TRANSLATE_NOOP("Source", "model page, section 12: several surfaces "
                                                        "in one set-up")},
+    SourceName{"MODEL-16", QT_TRANSLATE_NOOP("Source", "model page, section 16: waves of the "
+                                                       "wheel")},
     SourceName{"ALSIGAR2021", QT_TRANSLATE_NOOP("Source", "M. K. Alsigar, thesis abstract, Penza, "
                                                           "2021")},
     SourceName{"PEREVERZEV1999", QT_TRANSLATE_NOOP("Source", "P. P. Pereverzev, doctoral thesis "
@@ -332,6 +336,8 @@ constexpr std::array names{
     SourceName{"MH31", QT_TRANSLATE_NOOP("Source", "Machinery's Handbook 31, cylindrical "
                                                    "grinding")},
     SourceName{"HON585", QT_TRANSLATE_NOOP("Source", "hon1.ru, spark-out and threshold force")},
+    SourceName{"HON174", QT_TRANSLATE_NOOP("Source", "hon1.ru, balancing of grinding wheels")},
+    SourceName{"ISO21940", QT_TRANSLATE_NOOP("Source", "ISO 21940-11:2016, grades of balance")},
     SourceName{"AKAIKE1974", QT_TRANSLATE_NOOP("Source", "Akaike, 1974, choice of a model")},
     SourceName{
         "SALMON2011",

@@ -384,7 +384,7 @@ private slots:
     void everyRequirementOfThePassesIsAQuantity() {
         Project project = shaftBatch(8);
         project.material->burn_rise_k = 700;
-        project.part->tolerance = {4, 6, 5, 8, 0.8};
+        project.part->tolerance = {4, 6, 5, 8, 0.8, {}};
         project.machine->wheel_drive_kw = 4;
         project.machine->work_drive_kw = 1;
         const BatchResult result = runWith(project, 1);

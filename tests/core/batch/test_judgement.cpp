@@ -227,6 +227,28 @@ private slots:
         QVERIFY(undecided(project, {}).empty());
     }
 
+    /// The waviness needs the runout of the wheel, and radii that resolve its waves.
+    void wavinessOfAnUnknownWheelIsNotDecided() {
+        Project project = finished().project;
+        project.part->tolerance.waviness_um = 1;
+        const auto only = [&] {
+            const std::vector<Undecided> open = undecided(project, {});
+            return open.size() == 1 && open[0].kind == ConstraintKind::waviness ? open[0]
+                                                                                : Undecided{};
+        };
+        QCOMPARE(only().reason, UndecidedReason::inputMissing);
+        QCOMPARE(only().path, std::string("/wheel/runout"));
+        project.wheel->runout = WheelRunout{.amplitude_um = 1};
+        project.part->radii_per_section = radiiForWaves(project) - 2;
+        QCOMPARE(only().reason, UndecidedReason::fewRadii);
+        QCOMPARE(only().path, std::string("/part/radii_per_section"));
+        project.part->radii_per_section = radiiForWaves(project);
+        QVERIFY(undecided(project, {}).empty());
+        ConstraintResult unknown = held(ConstraintKind::waviness, 0.5);
+        unknown.knowsMachine = false;
+        QVERIFY(lightOf(unknown) == Light::undecided);
+    }
+
     void settingWithinItsRangeIsNotSpokenOf() {
         const Judgement judgement = judge(finished(), {held(ConstraintKind::rangeWorkSpeed, 0),
                                                        held(ConstraintKind::diameterMax, 0.5)});

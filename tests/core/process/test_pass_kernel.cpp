@@ -50,12 +50,24 @@ struct RandomPass {
             lanes.root[i] = -1;
             lanes.rootSum[i] = uniform(0, 1) < 0.5 ? 0 : decades(-3, 2);
         }
+        if (uniform(0, 1) < 0.3) {
+            feed.waveCos_mm = uniform(-1e-3, 1e-3);
+            feed.waveSin_mm = uniform(-1e-3, 1e-3);
+            for (std::size_t i = 0; i < lanes.depth_mm.size(); ++i) {
+                lanes.waveCos.push_back(uniform(-1, 1));
+                lanes.waveSin.push_back(uniform(-1, 1));
+            }
+        }
     }
     /// h as the kernel's page defines it.
     [[nodiscard]] double gap(std::size_t lane) const {
         const double ramp = feed.base + feed.offset + feed.rate * lanes.share[lane];
         const double fed = std::min(ramp, feed.base + feed.cap);
-        return std::min(fed + feed.drift * lanes.share[lane], feed.most) - lanes.depth_mm[lane];
+        const double there = std::min(fed + feed.drift * lanes.share[lane], feed.most);
+        const double wave = lanes.waveCos.empty() ? 0
+                                                  : feed.waveCos_mm * lanes.waveCos[lane]
+                                                        + feed.waveSin_mm * lanes.waveSin[lane];
+        return there + wave - lanes.depth_mm[lane];
     }
 };
 

@@ -253,6 +253,19 @@ private:
             {{"/part/radii_per_section", 10}}, warning);
         row("lobes unknown", IssueCode::lobesUnknown, "/machine/form/lobes", traverse,
             {{"/machine/form", {{"roundness_um", {1, 2, 1}}}}}, warning);
+        row("too few radii for the wheel's waves", IssueCode::wavesUnresolved,
+            "/part/radii_per_section", plunge, {{"/wheel/runout", {{"amplitude_um", 1}}}}, warning);
+        row("no form of the wheel's runout", IssueCode::wrongCount, "/wheel/runout", plunge,
+            {{"/wheel/runout", {{"lobes", 2}}}});
+        row("two forms of the wheel's runout", IssueCode::wrongCount, "/wheel/runout", plunge,
+            {{"/wheel/runout", {{"amplitude_um", 1}, {"unbalance_g_mm", 5}}}});
+        row("balance grade without a mass", IssueCode::missingKey, "/wheel/runout/rotor_mass_kg",
+            plunge,
+            {{"/wheel/runout", {{"balance_grade_mm_s", 1}}},
+             {"/machine/stiffness_n_um",
+              {{"headstock", 60}, {"tailstock", 40}, {"wheel_head", 50}}}});
+        row("unbalance without a stiffness", IssueCode::missingKey, "/machine/stiffness_n_um",
+            plunge, {{"/wheel/runout", {{"unbalance_g_mm", 5}}}});
         row("too few radii for the lobes", IssueCode::outOfRange, "/part/radii_per_section",
             traverse, {{"/machine/form", {{"roundness_um", {1, 2, 1}}, {"lobes", 4}}}});
         row("runout below roundness", IssueCode::outOfRange, "/machine/form/runout_um/1", traverse,

@@ -17,13 +17,12 @@ namespace sparkout::test_tables {
 /// Units of the keys' endings, longer endings first.
 const std::vector<std::pair<std::string, std::string>>& unitsOfEndings() {
     static const std::vector<std::pair<std::string, std::string>> all{
-        {"_per_mm2", "1/mm²"}, {"_per_mm", "1/mm"}, {"_mm_per_n", "mm/N"},
-        {"_mm_min", "mm/min"}, {"_n_um_at_n", ""},  {"_mm2_s", "mm²/s"},
-        {"_w_mk", "W/(m·K)"},  {"_j_m2", "J/m²"},   {"_n_um", "N/µm"},
-        {"_m_s", "m/s"},       {"_rpm", "rev/min"}, {"_mpa", "MPa"},
-        {"_gpa", "GPa"},       {"_deg", "°"},       {"_hrc", "HRC"},
-        {"_kw", "kW"},         {"_kg", "kg"},       {"_um", "µm"},
-        {"_n_mm", "N/mm"},     {"_mm", "mm"},       {"_s", "s"},
+        {"_per_mm2", "1/mm²"}, {"_per_mm", "1/mm"}, {"_mm_per_n", "mm/N"}, {"_mm_min", "mm/min"},
+        {"_n_um_at_n", ""},    {"_mm2_s", "mm²/s"}, {"_w_mk", "W/(m·K)"},  {"_j_m2", "J/m²"},
+        {"_n_um", "N/µm"},     {"_m_s", "m/s"},     {"_rpm", "rev/min"},   {"_mpa", "MPa"},
+        {"_gpa", "GPa"},       {"_deg", "°"},       {"_hrc", "HRC"},       {"_kw", "kW"},
+        {"_kg", "kg"},         {"_um", "µm"},       {"_n_mm", "N/mm"},     {"_g_mm", "g·mm"},
+        {"_mm_s", "mm/s"},     {"_hz", "Hz"},       {"_mm", "mm"},         {"_s", "s"},
         {"_m_k", "10⁻⁶/K"},    {"_k", "K"}};
     return all;
 }

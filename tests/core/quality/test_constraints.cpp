@@ -184,7 +184,7 @@ private slots:
     void namesAreThoseOfTheFile() {
         const std::vector<std::string> names = samples::listOf(
             "diameter_min|diameter_max|radial_runout|roundness|cylindricity|total_runout|"
-            "roughness|burn|self_sharpening|wheel_power|work_power|range_radial_feed|"
+            "waviness|roughness|burn|self_sharpening|wheel_power|work_power|range_radial_feed|"
             "range_axial_feed|range_plunge_feed|range_continuous_feed|range_work_speed|"
             "gauge_commands|overlap|least_overlap|least_overlap_last|least_steps");
         QCOMPARE(names.size(), static_cast<std::size_t>(constraintKinds));

@@ -18,7 +18,7 @@ Project demanding(Project project) {
     project.part->tolerance = {};
     for (std::optional<double> Tolerance::*limit :
          {&Tolerance::roundness_um, &Tolerance::radial_runout_um, &Tolerance::cylindricity_um,
-          &Tolerance::total_runout_um, &Tolerance::roughness_ra_um}) {
+          &Tolerance::total_runout_um, &Tolerance::waviness_um, &Tolerance::roughness_ra_um}) {
         project.part->tolerance.*limit = 5;
     }
     project.material->burn_rise_k = 500;

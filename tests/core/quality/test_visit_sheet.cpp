@@ -33,7 +33,11 @@ std::vector<Project> samples() {
     bore.wheel->diameter_mm = 20;
     Project soft = sections(2);
     soft.machine->wheel_contact = WheelContact{{{{0, 20}, {200, 60}}}};
-    return {fixtures::traverse(), sections(3), bore, soft};
+    Project wavy = sections(2);
+    wavy.wheel->runout = WheelRunout{.amplitude_um = 2};
+    Project wavyBore = bore;
+    wavyBore.wheel->runout = wavy.wheel->runout;
+    return {fixtures::traverse(), sections(3), bore, soft, wavy, wavyBore};
 }
 
 class TestVisitSheet : public QObject {

@@ -193,6 +193,27 @@ private slots:
         QVERIFY2(touching >= compared / 2, qPrintable(QString::number(touching)));
     }
 
+    // With a wheel out of true, by an amplitude, an unbalance or a grade, at a varied speed too.
+    void engineAgreesWhereTheWheelRunsOutOfTrue() {
+        const int last = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 2'000 : 300;
+        int completed = 0, changed = 0;
+        for (int seed = 1; seed <= last; seed += stride()) {
+            const auto number = static_cast<std::uint64_t>(seed);
+            const json plain = randomProject(number), project = withWheelRunout(plain, number);
+            const SimulationResult engine = simulateUnchecked(fixtures::read(project));
+            const reference::Result second = reference::simulate(project);
+            const QString found =
+                reference::difference(engine, second, project["part"]["diameter_mm"].get<double>());
+            QVERIFY2(found.isEmpty(), qPrintable(QString("seed %1, %2").arg(seed).arg(found)));
+            completed += second.status == "completed";
+            changed += engine.sections[0].radii_mm
+                       != simulateUnchecked(fixtures::read(plain)).sections[0].radii_mm;
+        }
+        const int compared = last / stride();
+        QVERIFY2(completed >= compared / 2, qPrintable(QString::number(completed)));
+        QVERIFY2(changed >= compared * 9 / 10, qPrintable(QString::number(changed)));
+    }
+
     // What comes out must vary too: cycles that reach size and that do not, stages that are over
     // before they begin.
     void outcomesOfEveryKindWereCompared() {

@@ -35,6 +35,7 @@ Project asking(const Project& of) {
     p.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
     p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
     p.machine->limits.work_speed_rpm = std::vector<double>{50, 500, 5};
+    p.part->tolerance.waviness_um = 50;
     return p;
 }
 

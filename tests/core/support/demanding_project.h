@@ -9,7 +9,7 @@ namespace sparkout::fixtures {
 /// burn, both drives, the strengths of grain and bond.
 inline sparkout::Project demanding(sparkout::Project p) {
     p.material->burn_rise_k = 500;
-    p.part->tolerance = {4, 6, 5, 8, 0.8};
+    p.part->tolerance = {4, 6, 5, 8, 0.8, {}};
     p.machine->wheel_drive_kw = 5;
     p.machine->work_drive_kw = 0.5;
     p.wheel->grain_surface_energy_j_m2 = 1800;

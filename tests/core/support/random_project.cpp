@@ -575,3 +575,35 @@ json withThreshold(json project, std::uint64_t seed) {
     }
     return project;
 }
+
+json withWheelRunout(json project, std::uint64_t seed) {
+    Random random(seed ^ 0x2c1b3c6dU);
+    json& machine = project["machine"];
+    json runout = json::object();
+    if (random.chance(0.6)) {
+        runout["amplitude_um"] = random.uniform(0.05, 3, 2);
+        if (random.chance(0.3)) {
+            runout["lobes"] = random.integer(2, 5);
+        }
+    } else {
+        machine["stiffness_n_um"] = {{"headstock", 60}, {"tailstock", 40}, {"wheel_head", 50}};
+        if (random.chance(0.5)) {
+            runout["unbalance_g_mm"] = random.uniform(1, 100, 1);
+        } else {
+            runout["balance_grade_mm_s"] = random.uniform(0.2, 2.5, 1);
+            runout["rotor_mass_kg"] = random.uniform(1, 50, 1);
+        }
+        if (random.chance(0.5)) {
+            machine["wheel_head_frequency_hz"] = random.integer(15, 400);
+        }
+    }
+    if (random.chance(0.7)) {
+        runout["phase_deg"] = random.uniform(0, 360, 1);
+    }
+    if (random.chance(0.3)) {
+        machine["work_speed_variation"] = {{"percent", random.uniform(0, 20, 1)},
+                                           {"period_s", random.uniform(1, 10, 1)}};
+    }
+    project["wheel"]["runout"] = runout;
+    return project;
+}

@@ -15,3 +15,6 @@ nlohmann::json randomProject(std::uint64_t seed);
 
 /// The same project with a force that has a threshold, its numbers drawn by the seed too.
 nlohmann::json withThreshold(nlohmann::json project, std::uint64_t seed);
+
+/// The same project with a wheel that runs out of true.
+nlohmann::json withWheelRunout(nlohmann::json project, std::uint64_t seed);

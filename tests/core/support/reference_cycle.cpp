@@ -173,6 +173,33 @@ void readMachine(Cycle& c, const json& project) {
     }
 }
 
+// What makes the wheel run out of true, and how the work speed varies.
+void readRunout(Cycle& c, const json& project) {
+    const json wheel = part(project, "wheel"), machine = part(project, "machine");
+    const json runout = part(wheel, "runout"), varied = part(machine, "work_speed_variation");
+    c.n_k = c.V_k * 60'000 / (pi * number(wheel, "diameter_mm"));
+    c.psi_0 = number(runout, "phase_deg", 0) * pi / 180;
+    c.speed_variation =
+        number(varied, "percent", given(machine, "work_speed_variation") ? 10 : 0) / 100;
+    c.variation_period = number(varied, "period_s", 5) / 60;
+    const bool byGrade = given(runout, "balance_grade_mm_s");
+    if (!byGrade && !given(runout, "unbalance_g_mm")) {
+        c.e = number(runout, "amplitude_um", 0) / 1000;
+        c.L = integer(runout, "lobes", 1);
+        return;
+    }
+    const Real omega = 2 * pi * c.n_k / 60; // [rad/s]
+    const Real U = byGrade ? number(runout, "rotor_mass_kg") * number(runout, "balance_grade_mm_s")
+                                 / omega // [kg·mm]
+                           : number(runout, "unbalance_g_mm") / 1000;
+    const Real force_n = U / 1000 * omega * omega;
+    c.e = force_n / number(part(machine, "stiffness_n_um"), "wheel_head") / 1000;
+    if (given(machine, "wheel_head_frequency_hz")) {
+        const Real nearness = c.n_k / 60 / number(machine, "wheel_head_frequency_hz");
+        c.e *= std::min(1 / std::abs(1 - nearness * nearness), Real(10));
+    }
+}
+
 void readStages(Cycle& c, const json& project) {
     for (const json& stageJson : project.at("cycle").at("stages")) {
         Stage stage;
@@ -271,6 +298,7 @@ Cycle readCycle(const json& project) {
     c.rule = text(gauge, "rule", "min");
     const std::vector<Real> radius = readPart(c, project);
     readMachine(c, project);
+    readRunout(c, project);
     c.gauge_delay = number(gauge, "delay_s", number(part(project, "machine"), "gauge_delay_s", 0));
     c.feed_change_delay = number(part(project, "machine"), "feed_change_delay_s", 0);
     c.least_overlap = number(project, "least_overlap", 0);

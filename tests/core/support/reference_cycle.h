@@ -71,6 +71,8 @@ struct Cycle {
     Real entry_share = 1; // of S_t that is fed at the entry, the rest at the exit
     bool position_control = false;
     Real wear = 0; // of the wheel's radius, which the position control does not know of [mm]
+    Real e = 0, L = 1, n_k = 0, psi_0 = 0;          // the wheel's runout [mm, -, rev/min, rad]
+    Real speed_variation = 0, variation_period = 0; // of the work speed [-, min]
     std::string rule;
     Real geometric_runout_um = 0;
     std::vector<Stage> stages;
@@ -89,6 +91,7 @@ struct Cycle {
     long long visits = 0;
     Real peak_P_y = 0, peak_P_z = 0; // [N]
     Real time = 0;                   // [min]
+    Real clock = 0;                  // the same, also within a double stroke [min]
     std::vector<Sums> sums;          // stage by stage
     std::vector<Reading> readings;   // pass by pass
 };

@@ -59,8 +59,24 @@ Real pressureUnder(Real h, Real gamma, Real b, const Cycle& c) {
     }
 }
 
-// One radius passes under the wheel, whose head has been fed to t.
-void visit(Cycle& c, Body& body, int k, Real b, Real t) {
+// How much nearer to the work a wheel out of true stands at radius k of a pass that is due at a
+// moment. The pass begins with a whole turn of the work; the speed that varies by s is
+// n/(1 + s·sin(2π·turns/(n·T))).
+Real waveOf(const Cycle& c, Real due, int k) {
+    if (c.e == 0) {
+        return 0;
+    }
+    const Real turns = std::ceil(due * c.n - 1e-6L) + Real(k + 1) / c.K;
+    Real minutes = turns / c.n;
+    if (c.speed_variation > 0) {
+        const Real T = c.variation_period;
+        minutes += c.speed_variation * T / (2 * pi) * (1 - std::cos(2 * pi * turns / (c.n * T)));
+    }
+    return c.e * std::cos(c.psi_0 + 2 * pi * c.L * c.n_k * minutes);
+}
+
+// One radius passes under the wheel, whose head has been fed to t, in a pass due at a moment.
+void visit(Cycle& c, Body& body, int k, Real b, Real t, Real due) {
     ++c.visits;
     if (c.gap[k]) { // the wheel turns on without a surface under it
         if (counts(c, body)) {
@@ -69,7 +85,7 @@ void visit(Cycle& c, Body& body, int k, Real b, Real t) {
         return;
     }
     Real& R = body.radius[k];
-    const Real fed = t - c.wear; // of a worn wheel's surface
+    const Real fed = t - c.wear + waveOf(c, due, k); // of the wheel's surface
     const Real h = c.internal ? fed - (R - c.R_min0) : fed - (c.R_max0 - R);
     const Real p = c.threshold ? pressureUnder(h, body.gamma, b, c) : 0;
     const Real a = c.threshold ? std::max(Real(0), p - c.k_r) / c.k_s
@@ -129,7 +145,7 @@ Real fedLater(const Cycle& c, Real t, Real minutes) {
 void visitZone(Cycle& c, int zone, int k, Real b, Real t) {
     for (Body& body : c.bodies) {
         if (body.zone == zone) {
-            visit(c, body, k, b, t);
+            visit(c, body, k, b, t, c.clock);
         }
     }
 }
@@ -140,6 +156,7 @@ void dwell(Cycle& c, int zone, Real b, long long revolutions) {
             visitZone(c, zone, k, b, fedLater(c, c.t_P, Real(k + 1) / c.K / c.n));
         }
         c.t_P = fedLater(c, c.t_P, 1 / c.n);
+        c.clock += 1 / c.n;
     }
 }
 
@@ -155,6 +172,7 @@ void plungeIn(Cycle& c, int zone, Real b, Real S) {
             const Real most = std::max(targetInfeed(c), c.t_P + S);
             visitZone(c, zone, k, b, stops ? std::min(both, most) : both);
         }
+        c.clock += 1 / c.n;
     }
     c.t_P = fedLater(c, c.t_P + S, revolutions / c.n);
 }
@@ -166,12 +184,14 @@ void stroke(Cycle& c, Real b, bool there) {
     const Real first = c.B / 2 - c.o1, last = c.length + c.o2 - c.B / 2; // of the wheel's middle
     for (Body& body : c.bodies) {
         const Real middle = std::clamp(body.middle, first, last);
-        const Real t = fedLater(c, c.t_P, (there ? middle - first : last - middle) / speed);
+        const Real later = (there ? middle - first : last - middle) / speed;
+        const Real t = fedLater(c, c.t_P, later);
         for (int k = 0; k < c.K; ++k) {
-            visit(c, body, k, b, t);
+            visit(c, body, k, b, t, c.clock + later);
         }
     }
     c.t_P = fedLater(c, c.t_P, (last - first) / speed);
+    c.clock += (last - first) / speed;
 }
 
 void doubleStroke(Cycle& c) {
@@ -204,10 +224,11 @@ void revolution(Cycle& c) {
     const Real step = infeedOfThisPass(c);
     for (Body& body : c.bodies) {
         for (int k = 0; k < c.K; ++k) {
-            visit(c, body, k, c.length, c.t_P + step * Real(k + 1) / c.K);
+            visit(c, body, k, c.length, c.t_P + step * Real(k + 1) / c.K, c.clock);
         }
     }
     c.t_P += step;
+    c.clock += 1 / c.n;
     spend(c, 1 / c.n);
 }
 

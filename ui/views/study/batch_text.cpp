@@ -109,8 +109,10 @@ ValueTable batchFigures(const BatchSummary& summary, const std::string& name, bo
     for (const std::size_t place : placesOf(summary, name)) {
         places.push_back({&summary.characteristics[place], summary.isSample, summary.drifts});
         const Characteristic& of = places.back().of->characteristic;
+        const bool isOfWheel = of.requirement && of.requirement->kind == ConstraintKind::waviness;
+        const auto nameOf = isOfWheel ? Names::ofWheel : Names::ofMachine;
         table.columns.push_back(
-            {BatchText::where(of), Names::ofMachine(BatchText::full(of), of.knowsMachine), {}});
+            {BatchText::where(of), nameOf(BatchText::full(of), of.knowsMachine), {}});
     }
     if (places.empty()) {
         return table;

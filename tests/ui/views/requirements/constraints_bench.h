@@ -41,7 +41,7 @@ inline Project fullyLimitedProject() {
     p.wheel->grain_modulus_gpa = 390;
     p.wheel->bond_surface_energy_j_m2 = 400;
     p.wheel->bond_modulus_gpa = 65;
-    p.part->tolerance = {4, 6, 5, 8, 0.8};
+    p.part->tolerance = {4, 6, 5, 8, 0.8, {}};
     return p;
 }
 
