@@ -147,6 +147,9 @@ public:
         std::vector<double> from = best.q, differences;
         from.push_back(0);
         const double least = criterionAt(from);
+        if (!std::isfinite(least)) {
+            return;
+        }
         from.back() = FitProblem::coordinateOf(m_list.back().kind, amount);
         std::vector<bool> fixed(m_list.size(), false);
         fixed.back() = true;
