@@ -14039,8 +14039,8 @@ yours, %</source>
             <translation>Ваш цикл</translation>
         </message>
         <message>
-            <source>Nominal part only</source>
-            <translation>Номинальная деталь</translation>
+            <source>Nominal part</source>
+            <translation>Номинал</translation>
         </message>
         <message>
             <source>robustness costs %1 % of time</source>

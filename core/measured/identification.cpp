@@ -596,7 +596,8 @@ private:
         // For exact values the rounding of the simulation remains.
         constexpr double leastShare = 1e-6;
         const auto [least, most] = std::ranges::minmax(group.values);
-        residuals.noise = traceNoiseOf(left, std::max(group.step, (most - least) * leastShare));
+        residuals.rounding = (most - least) * leastShare;
+        residuals.noise = traceNoiseOf(left, std::max(group.step, residuals.rounding));
         residuals.lack = lackOfFit(left, *residuals.noise, parameters);
         if (residuals.lack.isLacking()) {
             std::vector<double> predicted = group.values;
@@ -652,7 +653,8 @@ bool hasStructure(const std::vector<FitResiduals>& residuals) {
 double misfit(const std::vector<FitResiduals>& residuals) {
     double sum = 0;
     for (const FitResiduals& group : residuals) {
-        sum += static_cast<double>(group.values.size()) * std::log(group.rms);
+        sum += static_cast<double>(group.values.size())
+               * std::log(std::max(group.rms, group.rounding));
     }
     return sum;
 }
@@ -708,7 +710,7 @@ void addOutOfStepAnew(const Project& project, const IdentificationRequest& reque
             continue;
         }
         OutOfStep one{kind, with.values.back().value, with.values.back().error, 0, 0};
-        if (!isCertain(one)) {
+        if (!isCertain(one) || !isCertainlyBetter(with, without)) {
             continue;
         }
         double most = -1;

@@ -62,10 +62,11 @@ struct FitResiduals {
     int trace = -1;
     std::vector<double> values; ///< measured less predicted, in the order of the data
     double rms = 0;
-    std::optional<TraceNoise> noise{};     ///< noise of a trace, from differences of neighbours
-    LackOfFit lack{};                      ///< lack of fit of a trace
-    UnlikeCycle unlike{};                  ///< cause of the lack of fit
-    std::size_t outliers = 0;              ///< lone outliers, with a lower weight in the judgement
+    double rounding = 0;               ///< of the simulation of a trace; a lower RMS means nothing
+    std::optional<TraceNoise> noise{}; ///< noise of a trace, from differences of neighbours
+    LackOfFit lack{};                  ///< lack of fit of a trace
+    UnlikeCycle unlike{};              ///< cause of the lack of fit
+    std::size_t outliers = 0;          ///< lone outliers, with a lower weight in the judgement
     std::vector<TraceReading> overRange{}; ///< lone values beyond the range of all others
 };
 

@@ -116,8 +116,10 @@ public:
         found.kind = m_list.back().kind;
         found.amount = FitProblem::valueOf(found.kind, wider.q.back());
         const double wide = std::sqrt(inflationOf(m_data, differences));
+        // A filter beside a fitted delay acts by its square: its error alone says too little.
+        const double gain = (criterionAt(from) - wider.criterion) / (wide * wide);
         found.error = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back())) * wide;
-        if (!isCertain(found)) {
+        if (!isCertain(found) || gain < certainDelay * certainDelay) {
             if (std::abs(found.amount) > possibleDelay * found.error) {
                 LeftOut::Possible& one = leftOut.possible.emplace_back();
                 for (std::size_t i = 0; i < best.q.size(); ++i) {
@@ -142,13 +144,12 @@ public:
     /// Adds fits with the time held at an amount, if they fit about as well as the best.
     void findHeld(const LeastSquares& best, const std::vector<double>& errors, double amount,
                   LeftOut& leftOut) {
-        std::vector<double> from = best.q, residuals, differences;
+        std::vector<double> from = best.q, differences;
         from.push_back(0);
-        if (!m_problem.evaluate(from, residuals)) {
+        const double least = criterionAt(from);
+        if (!std::isfinite(least)) {
             return;
         }
-        const double least =
-            std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
         from.back() = FitProblem::coordinateOf(m_list.back().kind, amount);
         std::vector<bool> fixed(m_list.size(), false);
         fixed.back() = true;
@@ -166,6 +167,13 @@ public:
     }
 
 private:
+    [[nodiscard]] double criterionAt(const std::vector<double>& q) {
+        std::vector<double> residuals;
+        return m_problem.evaluate(q, residuals)
+                   ? std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0)
+                   : std::numeric_limits<double>::infinity();
+    }
+
     /// Whether the residuals of the fit support the time by enough standard errors, to first order:
     /// for J = Q·R the last element of Qᵀr, since the last column of R is orthogonal to the other
     /// ones.

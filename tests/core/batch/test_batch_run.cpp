@@ -456,6 +456,7 @@ private slots:
         project.part->tolerance.roundness_um = project.part->tolerance.cylindricity_um = 10;
         project.notes = std::string(limits::stringBytes, 'x');
         const auto sections = static_cast<std::size_t>(project.sections);
+        project.machine->compliance_mm_per_n = std::vector<double>(sections, 1e-6);
         auto& stocks = project.batch->zone_stock_mm.emplace(sections, std::vector<double>{0, 0});
         auto& runouts = project.batch->zone_runout_mm.emplace(sections, std::vector<double>{0, 0});
         for (std::size_t i = 0; i < limits::factors; ++i) {

@@ -180,14 +180,14 @@ private slots:
         }
     }
 
-    /// The filter of a power meter or of a force sensor likewise. A delay looks much like it; one
-    /// of the two is named.
+    /// The filter of a power meter or of a force sensor likewise: without it a slow one leaves no
+    /// values, a faster one is named.
     void filtersOfPowerAndForce() {
         const Project project = yieldingPlunge();
         const Record cycle = record(project);
-        for (const bool isForce : {false, true}) {
+        for (const auto& [isForce, lag_s] : {std::pair(false, 0.2), std::pair(false, 0.6),
+                                             std::pair(true, 0.2), std::pair(true, 0.6)}) {
             const FittedKind kind = isForce ? FittedKind::force_lag : FittedKind::power_lag;
-            constexpr double lag_s = 0.6;
             MeasuredTrace made =
                 trace(isForce ? TraceQuantity::normal_force : TraceQuantity::wheel_power, cycle,
                       {.hertz = 50, .from_s = -1, .to_s = cycle.end_s.back() + 3});
@@ -210,11 +210,10 @@ private slots:
                         of(FittedKind::idle_power)};
             }
             const Identification without = identify(measured, {.parameters = list});
-            QVERIFY2(without.status == IdentificationStatus::doesNotFit, said(without));
-            for (const OutOfStep& found : without.outOfStep) {
-                const bool isLag = found.kind == kind;
-                QVERIFY2(isLag || found.kind == FittedKind::time_shift, said(without));
-            }
+            QVERIFY2(without.status != IdentificationStatus::fitted, said(without));
+            const bool isNamed = std::ranges::find(without.outOfStep, kind, &OutOfStep::kind)
+                                 != without.outOfStep.end();
+            QVERIFY2(isNamed || lag_s > 0.5, said(without));
             list.push_back(of(kind));
             const Identification with = identify(measured, {.parameters = list});
             QVERIFY2(with.status == IdentificationStatus::fitted, said(with));

@@ -171,7 +171,7 @@ private:
         }
         for (const auto& [ending, unit] : unitsOfEndings()) {
             if (std::string(field.key).ends_with(ending)) {
-                const bool feed = field.unit == unit + "/double stroke"; // of traverse grinding
+                const bool feed = field.unit == unit + "/dbl stroke"; // of traverse grinding
                 QVERIFY2(field.unit == unit || feed, field.unit);
                 return;
             }

@@ -384,7 +384,7 @@ std::vector<AnswerRow> answerRows(const SearchOutcome& outcome, std::optional<do
         const double nominal_s = outcome.robust->nominalTime_s;
         rows.push_back(
             {.key = "nominal",
-             .name = FoundTable::tr("Nominal part only"),
+             .name = FoundTable::tr("Nominal part"),
              .time_s = nominal_s,
              .basis = {.full = {FoundTable::tr("robustness costs %1 % of time")
                                     .arg(OptimiseText::percent(best.time_s / nominal_s - 1))}}});
