@@ -117,7 +117,14 @@ py::list sectionsOf(const Evaluation& self) {
     py::list list;
     int number = 0;
     for (const ZoneFigures& zone : zonesOf(self.result(), self.outcome->accuracy)) {
-        list.append(sectionDict(zone, number++));
+        py::dict section = sectionDict(zone, number);
+        if (const auto waves = placeWaves(self.result(), static_cast<std::size_t>(number))) {
+            py::dict of;
+            addOutputs(of, wavinessOutputs(), *waves);
+            section["waviness"] = of;
+        }
+        list.append(std::move(section));
+        ++number;
     }
     return list;
 }

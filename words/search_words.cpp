@@ -3,6 +3,7 @@
 
 #include "core/digits.h"
 #include "core/printable.h"
+#include "core/project/machine.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/quality/shop_numbers.h"
@@ -615,6 +616,13 @@ std::string SearchWording::speedsLeftOut(const Project& searched) const {
     std::string speeds;
     for (const double work_rpm : searchedSpeeds(searched).leftOut) {
         speeds += (speeds.empty() ? "" : "; ") + number(work_rpm);
+    }
+    if (!speeds.empty() && !searched.optimisation->least_ratio_distance) {
+        return filled(SPARKOUT_NOOP("Search", "Work speeds left out because their rotation ratio "
+                                              "is within %1 of a whole number, where the waves of "
+                                              "the wheel, whose runout is not given, would print "
+                                              "onto one another: %2."),
+                      {number(nearRatio), speeds});
     }
     return speeds.empty()
                ? speeds

@@ -5,6 +5,7 @@
 #include "core/quality/constraints.h"
 #include "core/quality/ranges.h"
 #include "core/quality/roughness.h"
+#include "core/quality/verdict.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -105,8 +106,12 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
     for (const ConstraintResult& constraint : constraints) {
         if (constraint.kind == row->kind
             && (characteristic.section < 0 || constraint.section == characteristic.section)) {
+            // Waves that the radii of a part do not resolve count as the highest possible.
+            const double stated = row->kind == ConstraintKind::waviness
+                                      ? constraint.mostValue.value_or(constraint.value)
+                                      : constraint.value;
             const double value =
-                isRelative(*row) ? wholeLimit * (1 - constraint.relativeMargin) : constraint.value;
+                isRelative(*row) ? wholeLimit * (1 - constraint.relativeMargin) : stated;
             worst = std::isnan(worst) ? value : std::max(worst, value);
         }
     }
@@ -151,12 +156,12 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
     outcome.good = true;
     outcome.margin = std::numeric_limits<double>::max();
     for (const ConstraintResult& constraint : constraints) {
-        outcome.good = outcome.good && constraint.holds;
+        outcome.good = outcome.good && isSure(constraint);
         outcome.asked[static_cast<std::size_t>(constraint.kind)] = true;
         if (!constraint.isWhole) {
             continue; // not known: the overlap requirement fails
         }
-        if (!constraint.holds) {
+        if (!isSure(constraint)) {
             outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;
         }
         const bool strips = constraint.kind == ConstraintKind::overlap && !constraint.holds;

@@ -37,10 +37,12 @@ std::optional<Undecided> undecidedOf(const Requirement& row, const Project& proj
         && !isDecided(row.kind, constraints)) {
         return roughnessNotKnown;
     }
-    if (row.kind == ConstraintKind::waviness && !areWavesKnown(project)) {
-        return project.wheel->runout
-                   ? Undecided{row.kind, UndecidedReason::fewRadii, "/part/radii_per_section"}
-                   : Undecided{row.kind, UndecidedReason::inputMissing, "/wheel/runout"};
+    if (row.kind == ConstraintKind::waviness && !project.wheel->runout) {
+        return Undecided{row.kind, UndecidedReason::inputMissing, "/wheel/runout"};
+    }
+    if (isPrinted(row.kind) && project.wheel->runout && !areWavesKnown(project)
+        && !(row.kind == ConstraintKind::waviness && isDecided(row.kind, constraints))) {
+        return Undecided{row.kind, UndecidedReason::fewRadii, "/part/radii_per_section"};
     }
     if (!knowsMachine(row.kind, project)) {
         return Undecided{row.kind, UndecidedReason::machineNotKnown, "/machine/form"};
@@ -65,11 +67,19 @@ JudgedStocks judgedStocks(const PhaseDecision& decision) {
     for (const DecidedPiece& piece : decision.pieces) {
         for (const auto* end : {&piece.low.constraints, &piece.high.constraints}) {
             keepWorst(stocks.worst, *end);
-            stocks.hasOpenEstimate |= std::ranges::any_of(*end, isOpen);
+            stocks.hasOpenEstimate |= std::ranges::any_of(*end, [](const ConstraintResult& each) {
+                return each.kind == ConstraintKind::roughness && isOpen(each);
+            });
         }
         if (piece.piece.status != RunStatus::completed) {
             stocks.status = piece.piece.status;
         }
+    }
+    for (const FailingStocks& each : decision.failing) { // also of other phases of the wheel
+        if (each.worst) {
+            keepWorst(stocks.worst, {*each.worst});
+        }
+        stocks.status = each.status != RunStatus::completed ? each.status : stocks.status;
     }
     const double width_mm = decision.range.to_mm - decision.range.from_mm;
     if (!stocks.holds && width_mm > 0) {

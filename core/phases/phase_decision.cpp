@@ -3,10 +3,12 @@
 
 #include "core/file/output_json.h"
 #include "core/process/profile.h"
+#include "core/process/wheel_wave.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/quality/requirement.h"
 #include "core/quality/result_names.h"
 #include "core/simulation/cycle_loop.h"
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -391,8 +394,11 @@ DecidedPiece decidePiece(const Project& project, PhasePiece piece, const std::st
     return PieceJudge(project, std::move(piece), stop).decide();
 }
 
-PhaseDecision decidePhases(const Project& project, StockRange range, const std::stop_token& stop,
-                           std::size_t mostPieces) {
+namespace {
+
+/// With the wheel at the phase that the project states.
+PhaseDecision decideAtPhase(const Project& project, StockRange range, const std::stop_token& stop,
+                            std::size_t mostPieces) {
     PhaseDecision decision;
     decision.range = range;
     if (!canDecidePhases(project) || hasErrors(validate(project))) {
@@ -409,6 +415,30 @@ PhaseDecision decidePhases(const Project& project, StockRange range, const std::
         }
     }
     decision.isDecided = !decision.hasTooMany && !stop.stop_requested();
+    return decision;
+}
+
+} // namespace
+
+PhaseDecision decidePhases(const Project& project, StockRange range, const std::stop_token& stop,
+                           std::size_t mostPieces) {
+    PhaseDecision decision = decideAtPhase(project, range, stop, mostPieces);
+    if (!wheelWave(project)) {
+        return decision;
+    }
+    constexpr double turn_deg = 360;
+    Project turned = project;
+    double& phase_deg = turned.wheel->runout->phase_deg;
+    for (int i = 1; i < phasesOfWheel && decision.isDecided; ++i) {
+        phase_deg = std::fmod(phase_deg + turn_deg / phasesOfWheel, turn_deg);
+        const PhaseDecision other = decideAtPhase(turned, range, stop, mostPieces);
+        decision.isDecided = other.isDecided;
+        decision.hasTooMany = other.hasTooMany;
+        decision.failing.insert(decision.failing.end(), other.failing.begin(), other.failing.end());
+    }
+    std::ranges::stable_sort(decision.failing, {}, [](const FailingStocks& each) {
+        return each.stocks.from_mm;
+    });
     return decision;
 }
 

@@ -89,10 +89,10 @@ double wheelAmplitude_mm(const Project& project) {
 }
 
 std::optional<WheelWave> wheelWave(const Project& project) {
-    const std::optional<WheelRunout>& runout = project.wheel->runout;
-    if (!runout) {
+    if (!areWavesKnown(project)) {
         return std::nullopt;
     }
+    const std::optional<WheelRunout>& runout = project.wheel->runout;
     const Machine& machine = *project.machine;
     const double workTurns_s = machine.work_speed_rpm / units::secondsPerMinute;
     WheelWave wave{.amplitude_mm = wheelAmplitude_mm(project),

@@ -39,7 +39,8 @@ struct WheelWave {
 /// The number of whole turns after which a pass begins that is due after `turns`.
 [[nodiscard]] double wholeTurns(double turns);
 
-/// The wave of the project's wheel; empty where its runout is not given, and so not known.
+/// The wave of the project's wheel; empty where its runout is not given, and so not known, and
+/// where the radii do not resolve it: it would be read as one of another order.
 [[nodiscard]] std::optional<WheelWave> wheelWave(const Project& project);
 
 /// e of the wheel's runout, or what its unbalance makes of the wheel head's stiffness [mm]; 0 if it

@@ -138,9 +138,8 @@ Range measuredRange(const Part& part) {
 
 std::vector<bool> inGaps(const Part& part) {
     constexpr double turn_deg = 360, same_deg = 1e-9;
-    constexpr int mostRadii = 360; // a file may request any number before it is refused
     std::vector<bool> inside(
-        static_cast<std::size_t>(std::clamp(part.radii_per_section, 0, mostRadii)));
+        static_cast<std::size_t>(std::clamp(part.radii_per_section, 0, mostRadii))); // unchecked
     for (const SurfaceGap& gap : part.gaps) {
         for (std::size_t k = 0; k < inside.size(); ++k) {
             const double phi = turn_deg * static_cast<double>(k) / part.radii_per_section;
@@ -419,7 +418,7 @@ const StructInfo& tableOf<Part>() {
                        .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, radii_per_section, .label = SPARKOUT_NOOP("Input", "Radii per section"),
-            .symbol = "K", .hard = {4, 360}, .soft = {12, 360}, .page = Page::part,
+            .symbol = "K", .hard = {4, mostRadii}, .soft = {12, 360}, .page = Page::part,
             .hint = SPARKOUT_NOOP(
                 "Input", "Radii followed in each cross-section at equal angles, an even number."),
             .formula = "φ_k = 2π·k/K", .source = "MODEL-4"),

@@ -39,6 +39,10 @@ enum class Surface { external, internal };
 enum class ProfileForm { ellipse, eccentric, lobes, measured };
 
 /// The drawing's tolerances of form and surface; not given: not required.
+/// Greatest number of radii of a section, which resolves 300 waves of a wheel, and of all sections
+/// together.
+inline constexpr int mostRadii = 3600, mostRadiiOfPart = 72'000;
+
 struct Tolerance {
     std::optional<double> roundness_um;     ///< roundness [µm]
     std::optional<double> radial_runout_um; ///< R_max − R_min about the centre axis [µm]

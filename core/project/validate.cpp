@@ -319,6 +319,17 @@ private:
             warn(IssueCode::fewRadii, "/part/radii_per_section", Count{part.radii_per_section},
                  Bounds{radii.soft, radii.unit});
         }
+        if (sound({"/part/radii_per_section", "/sections", "/zone_sections"})) {
+            const int inZone = project().operation->travels ? project().zone_sections : 1;
+            const int most = mostRadiiOfPart / (placeCount(project()) * inZone) / 2 * 2;
+            if (part.radii_per_section > most) {
+                add(IssueCode::outOfRange, "/part/radii_per_section",
+                    Count{part.radii_per_section},
+                    Bounds{{radii.hard.low, 1.0 * std::min(most, mostRadii)},
+                           {},
+                           project().operation->travels ? "/zone_sections" : "/sections"});
+            }
+        }
         if (part.profile == ProfileForm::measured) {
             const std::size_t given = part.radii_um ? part.radii_um->size() : 0;
             if (given != static_cast<std::size_t>(part.radii_per_section)

@@ -77,7 +77,7 @@ bool knowsMachine(ConstraintKind kind, const Project& project) {
     case ConstraintKind::cylindricity: return isRoundnessKnown(*project.machine);
     case ConstraintKind::radialRunout:
     case ConstraintKind::totalRunout: return isRunoutKnown(*project.machine);
-    case ConstraintKind::waviness: return areWavesKnown(project);
+    case ConstraintKind::waviness: return project.wheel->runout.has_value();
     default: return true;
     }
 }

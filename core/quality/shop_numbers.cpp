@@ -249,18 +249,12 @@ BandSide ShopColumn::overlapBand() const {
     return !overlap ? BandSide::none : leavesStrips(*overlap) ? BandSide::below : BandSide::inside;
 }
 
-double wheelSpeed_rpm(const Project& project) {
-    return project.machine->wheel_speed_m_s * units::mmPerM * units::secondsPerMinute
-           / (std::numbers::pi * project.wheel->diameter_mm);
-}
-
 double distanceFromWhole(double rotationRatio) {
     return std::abs(rotationRatio - std::max(std::round(rotationRatio), 1.0));
 }
 
 bool ShopNumbers::ratioNearInteger() const {
-    const double whole = std::round(rotationRatio);
-    return whole >= 1 && std::abs(rotationRatio - whole) <= nearRatio;
+    return distanceFromWhole(rotationRatio) <= nearRatio;
 }
 
 ShopNumbers shopNumbers(const SimulationResult& result) {

@@ -58,9 +58,6 @@ struct ShopColumn {
     [[nodiscard]] BandSide overlapBand() const; ///< never above
 };
 
-/// n_k, the wheel's revolutions per minute at its speed and diameter.
-[[nodiscard]] double wheelSpeed_rpm(const Project& project);
-
 /// The distance of a rotation ratio from the nearest whole number from 1 on.
 [[nodiscard]] double distanceFromWhole(double rotationRatio);
 

@@ -131,6 +131,11 @@ bool isOpen(const ConstraintResult& constraint) {
     return constraint.holds && constraint.mostValue && *constraint.mostValue > constraint.limit;
 }
 
+bool isSure(const ConstraintResult& constraint) {
+    return constraint.holds
+           && !(constraint.kind == ConstraintKind::waviness && isOpen(constraint));
+}
+
 bool isLowerBound(const ConstraintResult& constraint) {
     return constraint.holds && !constraint.knowsMachine;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/search/judge.h"
 
+#include "core/quality/verdict.h"
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -184,7 +186,7 @@ std::optional<double> Judge::leastMargin(const SimulationResult& result) {
     double least = std::numeric_limits<double>::infinity();
     for (const ConstraintResult& constraint : worstByKind(evaluateConstraints(result))) {
         least = std::min(least, constraint.relativeMargin);
-        if (!constraint.holds) {
+        if (!isSure(constraint)) {
             holds = false;
             ++counts.cuts[static_cast<std::size_t>(constraint.kind)];
         }

@@ -6,6 +6,7 @@
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
+#include "core/quality/verdict.h"
 #include "core/search/cycle_runner.h"
 #include "core/search/grid.h"
 #include "core/simulation/simulate.h"
@@ -260,7 +261,7 @@ private:
         }
         double broken = 0;
         for (const ConstraintResult& each : evaluateConstraints(result)) {
-            tried.holds = tried.holds && each.holds;
+            tried.holds = tried.holds && isSure(each);
             tried.margin = std::min(tried.margin, each.relativeMargin);
             broken += each.holds ? 0 : std::min(-each.relativeMargin, mostEach);
         }
@@ -418,7 +419,7 @@ FreshPartsTrial triedOnOthers(const Project& project, const RefineSummary& found
             return {};
         }
         if (result.status != RunStatus::completed
-            || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds; })) {
+            || !std::ranges::all_of(all, isSure)) {
             return {std::move(scenario), {}};
         }
     }

@@ -4,6 +4,7 @@
 #include "core/grace_stop.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 
 #include <algorithm>
@@ -81,20 +82,31 @@ void setMachine(Project& project, const MachineSettings& settings) {
     project.machine->dwell_exit_s = settings.dwell_exit_s;
 }
 
+std::optional<double> leastRatioDistance(const Project& project) {
+    const Optimisation& asked = *project.optimisation;
+    const bool isChosen = listed(asked.work_speed_rpm, project.machine->work_speed_rpm).size() > 1;
+    return asked.least_ratio_distance || project.wheel->runout || !isChosen
+               ? asked.least_ratio_distance
+               : nearRatio;
+}
+
 SearchedSpeeds searchedSpeeds(const Project& project) {
     const Optimisation& asked = *project.optimisation;
-    const std::optional<double>& least = asked.least_ratio_distance;
+    const std::optional<double> least = leastRatioDistance(project);
     const double wheel_rpm = wheelSpeed_rpm(project);
     SearchedSpeeds speeds;
     for (const double work_rpm : listed(asked.work_speed_rpm, project.machine->work_speed_rpm)) {
         const bool isAllowed = !least || distanceFromWhole(wheel_rpm / work_rpm) >= *least;
         (isAllowed ? speeds.allowed : speeds.leftOut).push_back(work_rpm);
     }
+    if (speeds.allowed.empty() && !asked.least_ratio_distance) { // by default none is refused
+        speeds.allowed.swap(speeds.leftOut);
+    }
     return speeds;
 }
 
 double farthestSpeed_rpm(const Project& project, double level_rpm, double end_rpm) {
-    const std::optional<double>& least = project.optimisation->least_ratio_distance;
+    const std::optional<double> least = leastRatioDistance(project);
     if (!least) {
         return end_rpm;
     }

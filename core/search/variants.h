@@ -7,6 +7,7 @@
 #include <memory>
 #include <stop_token>
 #include <utility>
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -24,12 +25,17 @@ void setMachine(Project& project, const MachineSettings& settings);
 /// The work speeds of a search [rev/min]: those that it lists, or the machine's.
 struct SearchedSpeeds {
     std::vector<double> allowed;
-    std::vector<double> leftOut; ///< n_k/n is nearer to a whole number than least_ratio_distance
+    std::vector<double> leftOut; ///< n_k/n is nearer to a whole number than leastRatioDistance()
 };
-/// The project must have a search.
+/// The least distance of n_k/n from a whole number that a search allows: that of the project. Where
+/// it states none and no runout of the wheel, a search that may choose the work speed takes
+/// nearRatio, since the waves that a wheel would print are not known. Empty: any. The project must
+/// have a search.
+[[nodiscard]] std::optional<double> leastRatioDistance(const Project& project);
+/// The project must have a search. By default, where every speed is too near, none is left out.
 [[nodiscard]] SearchedSpeeds searchedSpeeds(const Project& project);
 /// The work speed nearest to the end of a range, beyond a level of the search, that the machine can
-/// be set to and least_ratio_distance allows [rev/min]; the level where there is none.
+/// be set to and leastRatioDistance() allows [rev/min]; the level where there is none.
 [[nodiscard]] double farthestSpeed_rpm(const Project& project, double level_rpm, double end_rpm);
 
 /// All grids of a project's optimisation: one for each combination of allowed work speed, entry

@@ -40,7 +40,7 @@ struct SettingEdge {
 
 /// Returns the edges that a cycle found by a search of this project reaches with these machine
 /// settings. A setting with at most one level was not searched and has none. Levels and limits of
-/// the work speed are those that least_ratio_distance allows.
+/// the work speed are those that leastRatioDistance() allows.
 [[nodiscard]] std::vector<SettingEdge>
 settingEdgesReached(const Project& searched, const Cycle& cycle, const MachineSettings& machine);
 

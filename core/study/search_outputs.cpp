@@ -357,7 +357,7 @@ std::string searchJson(const SearchOutcome& outcome) {
     root["edges"] = edgesJson(outcome);
     root["setting_edges"] = settingEdgesJson(outcome);
     root["not_decided"] = outputsJsonOfEach(undecidedOutputs(), outcome.remarks.notDecided);
-    if (outcome.searched.optimisation->least_ratio_distance) {
+    if (leastRatioDistance(outcome.searched)) {
         root["left_out_work_speeds_rpm"] = searchedSpeeds(outcome.searched).leftOut;
     }
     root["remarks"] = remarksJson(outcome);

@@ -384,7 +384,7 @@ private slots:
     void oneFaultIsNamedOnce() {
         json file = samples::sample("smallest-traverse");
         file["cycle"]["stages"][0]["radial_feed_mm"] = -1;
-        file["part"]["radii_per_section"] = 361;
+        file["part"]["radii_per_section"] = 3601;
         const Issues issues = samples::faults(file);
         QVERIFY2(issues.size() == 2, samples::listed(issues).c_str());
     }

@@ -12,7 +12,7 @@
 #include "core/search/limit.h"
 #include "core/project/validate.h"
 #include "core/quality/accuracy_limit.h"
-#include "core/quality/light.h"
+#include "core/quality/verdict.h"
 #include "core/quality/result_json.h"
 #include "tests/core/search/search_checks.h"
 #include "tests/registry.h"
@@ -121,7 +121,27 @@ private slots:
         }
     }
 
-    // The published case: 200 rev/min, 40 m/s; off the ratio the waves go.
+    // The table of the published case: 200 rev/min, 40 m/s, a wheel of 0.5 µm.
+    void theTableOfThePublishedCase_data() {
+        QTest::addColumn<double>("ratio");
+        QTest::addColumn<int>("sparkOuts");
+        QTest::addColumn<double>("height");
+        for (const auto& [ratio, sparkOuts, height] :
+             {std::tuple(8.0, 20, 1.041), std::tuple(8.01, 20, 0.93), std::tuple(8.03, 20, 0.46),
+              std::tuple(8.1, 20, 0.15), std::tuple(8.304, 20, 0.080), std::tuple(8.5, 20, 0.11),
+              std::tuple(8.5, 400, 0.41), std::tuple(8.0, 100, 1.00)}) {
+            QTest::addRow("%g, %d", ratio, sparkOuts) << ratio << sparkOuts << height;
+        }
+    }
+    void theTableOfThePublishedCase() {
+        QFETCH(double, ratio);
+        QFETCH(int, sparkOuts);
+        QFETCH(double, height);
+        const double found = wavesOf(shaft(ratio, 360, sparkOuts)).height_um;
+        QVERIFY2(within(found, height, 0.05 * height), qPrintable(QString::number(found)));
+    }
+
+    // Off the ratio the waves go.
     void wavesGoOffTheRatio() {
         const double at = wavesOf(shaft(8, 360, 20)).height_um;
         QVERIFY2(within(at, 1.04, 0.03), qPrintable(QString::number(at)));
@@ -278,7 +298,14 @@ private slots:
         QVERIFY(wavesIn(unresolved).at("height_um").is_null());
         QVERIFY(wavesIn(unresolved).at("orders").is_null());
         QCOMPARE(wavesIn(unresolved).at("radii_needed").get<int>(), 96);
-        QVERIFY(!rowOf(unresolved).knowsMachine);
+        QCOMPARE(rowOf(unresolved).mostValue, std::optional(2 * amplitude_um)); // and no more
+        QVERIFY(lightOf(rowOf(unresolved)) == Light::undecided && !isSure(rowOf(unresolved)));
+        few.wheel->runout.reset();
+        QVERIFY(unresolved.sections[0].radii_mm == runOf(few).sections[0].radii_mm);
+        few = p;
+        few.part->radii_per_section = 94;
+        few.part->tolerance.waviness_um = 2 * amplitude_um;
+        QVERIFY(isSure(rowOf(runOf(few)))); // as high as the wheel can print them
 
         p.wheel->runout.reset();
         QVERIFY(wavesIn(runOf(p)).is_null()); // not known, and so never 0.00
