@@ -212,13 +212,21 @@ int runValidate(const manual::Given& given) {
 }
 
 constexpr std::pair<std::string_view, int (*)(const manual::Given&)> commands[] = {
-    {"new", runNewCommand},           {"simulate", runSimulate},
-    {"remedies", runRemediesCommand}, {"optimize", runOptimise},
-    {"validate", runValidate},        {"batch", runBatchCommand},
-    {"batch-merge", runBatchMerge},   {"sweep", runSweepCommand},
-    {"phases", runPhasesCommand},     {"dressing", runDressingCommand},
-    {"measured", runMeasuredCommand}, {"examples", runExamples},
-    {"course check", runCourseCheck}, {"course variants", runCourseVariants},
+    {"new", runNewCommand},
+    {"simulate", runSimulate},
+    {"remedies", runRemediesCommand},
+    {"optimize", runOptimise},
+    {"validate", runValidate},
+    {"batch", runBatchCommand},
+    {"batch-merge", runBatchMerge},
+    {"sweep", runSweepCommand},
+    {"phases", runPhasesCommand},
+    {"dressing", runDressingCommand},
+    {"waves", runWavesCommand},
+    {"measured", runMeasuredCommand},
+    {"examples", runExamples},
+    {"course check", runCourseCheck},
+    {"course variants", runCourseVariants},
     {"course grade", runCourseGrade}};
 
 int run(const std::vector<std::string>& arguments) {

@@ -41,5 +41,7 @@ int runCourseVariants(const manual::Given& given);
 /// Finds changes of one setting that make an unfit cycle fit.
 [[nodiscard]] int runRemediesCommand(const manual::Given& given);
 [[nodiscard]] int runSweepCommand(const manual::Given& given);
+/// Names what can have left the waves counted on a part.
+[[nodiscard]] int runWavesCommand(const manual::Given& given);
 
 } // namespace sparkout::cli

@@ -281,6 +281,31 @@ Command dressingCommand() {
              progress}};
 }
 
+Command wavesCommand() {
+    return {
+        "waves",
+        oneFile,
+        {"names what can have left the waves that were counted around a part: the wheel, by the "
+         "speeds of the file, known frequencies, the wheel head's natural one, or what is "
+         "fixed to the work; with the counts at another work speed and another wheel speed, "
+         "by which they are told apart",
+         "называет, от чего могли появиться волны, сосчитанные вокруг детали: от круга (по "
+         "скоростям из файла), от известных частот, от собственной частоты шлифовальной "
+         "бабки или от того, что связано с деталью; и сколько волн будет при другой частоте "
+         "вращения детали и другой частоте вращения круга: по этому их различают"},
+        {surface,
+         {.name = "--count",
+          .value = integer("N", 2, 100'000),
+          .isRequired = true,
+          .text = {"number of waves counted around the part",
+                   "число волн, сосчитанных вокруг детали"}},
+         {.name = "--frequencies",
+          .value = integers("HZ,…", 1, 100'000),
+          .text = {"known frequencies in Hz: motors, belts, pumps, the floor",
+                   "известные частоты в Гц: двигатели, ремни, насосы, пол"}},
+         json}};
+}
+
 std::vector<Option> measuredOptions() {
     return {
         surface,
@@ -534,18 +559,19 @@ const Program& commandLineProgram() {
          {{.name = "--version", .text = {"prints the version", "печатает версию"}}},
          {newCommand(), simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(),
           batchCommand(), mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(),
-          measuredCommand(), examplesCommand(), courseCommand()}},
+          wavesCommand(), measuredCommand(), examplesCommand(), courseCommand()}},
         {},
         {"Computes without a window: for scripts, long batches and computers without a display. It "
          "reads the project files of the window and gives the same numbers, digit for digit.",
          "Считает без окна: для скриптов, больших партий и компьютеров без экрана. Читает файлы "
          "проектов окна и даёт те же числа, до последнего знака."},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
-          "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
+          "remedies, optimize, batch, sweep, phases, waves and measured take each in its order, or "
+          "the "
           "one that --surface names, with the wheel as the surfaces before left it. A time limit "
           "applies to each surface.",
           "Файл может содержать несколько поверхностей детали, шлифуемых за один установ. "
-          "simulate, remedies, optimize, batch, sweep, phases и measured берут их все по порядку "
+          "simulate, remedies, optimize, batch, sweep, phases, waves и measured берут их все по порядку "
           "или ту, что названа в --surface; круг приходит к ней таким, каким его оставили "
           "предыдущие. Предел времени действует для каждой поверхности."},
          {"In JSON and CSV the sections of a plunge and the parts of a batch are counted from 0, "

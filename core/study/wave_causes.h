@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/result.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+/// What can have left the waves that were counted on a part [MODEL-16]. A source that moves with
+/// time at the frequency f leaves m waves where m = q·60·f/n, q whole turns of the work after which
+/// its waves meet; one that is fixed to the work leaves the same number at every speed.
+namespace sparkout {
+
+enum class WaveSource {
+    wheel,     ///< L waves of the wheel, which turns with n_k
+    frequency, ///< one that is known: a motor, a belt, the floor
+    wheelHead, ///< its natural frequency: chatter
+    work       ///< centres, headstock, blank
+};
+[[nodiscard]] const char* keyOf(WaveSource source); ///< "wheel_head"
+
+struct WaveCause {
+    WaveSource source = WaveSource::wheel;
+    double frequency_hz = 0; ///< 0: fixed to the work
+    int lobes = 1;           ///< L of the wheel
+    int turns = 1;           ///< q
+    double waves = 0;        ///< that it would leave
+    /// Waves that it would leave at the work speed of the test, and with the wheel of the test.
+    double atOtherWork = 0, atOtherWheel = 0;
+};
+
+struct WaveInquiry {
+    double counted = 0;                 ///< waves around the part
+    std::vector<double> frequencies_hz; ///< known in the machine and around it
+};
+
+/// The test that tells the causes apart: another work speed, at which the counts of time and work
+/// part by at least two waves, and another wheel speed, which moves those of the wheel alone.
+struct WaveTest {
+    double workSpeed_rpm = 0, wheelSpeed_rpm = 0;
+};
+[[nodiscard]] WaveTest waveTest(const Project& project, double counted);
+
+/// A count is right to 3 %, and to one wave.
+[[nodiscard]] bool isCounted(double counted, double waves);
+
+/// The causes whose waves agree with the count, the fewest lobes and turns first; what is fixed to
+/// the work is always one. Project and inquiry must be valid: n > 0, counted ≥ 2.
+[[nodiscard]] std::vector<WaveCause> waveCauses(const Project& project, const WaveInquiry& asked);
+
+[[nodiscard]] std::span<const Output<WaveCause>> waveCauseOutputs();
+[[nodiscard]] std::span<const Output<WaveTest>> waveTestOutputs();
+
+} // namespace sparkout
