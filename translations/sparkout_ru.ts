@@ -2054,6 +2054,54 @@
             <source>Twelve for each wave; with fewer radii the waviness is not decided.</source>
             <translation>Двенадцать на волну; при меньшем числе радиусов волнистость не определена.</translation>
         </message>
+        <message>
+            <source>Source of the waves</source>
+            <translation>Источник волн</translation>
+        </message>
+        <message>
+            <source>Frequency</source>
+            <translation>Частота</translation>
+        </message>
+        <message>
+            <source>Of the source; none where it is fixed to the work.</source>
+            <translation>Источника; нет, если он связан с деталью.</translation>
+        </message>
+        <message>
+            <source>Waves of the wheel</source>
+            <translation>Волн круга</translation>
+        </message>
+        <message>
+            <source>Number of waves around the wheel that this would take.</source>
+            <translation>Сколько волн по окружности круга для этого нужно.</translation>
+        </message>
+        <message>
+            <source>Turns of the work</source>
+            <translation>Обороты детали</translation>
+        </message>
+        <message>
+            <source>After so many turns the waves meet those before.</source>
+            <translation>Через столько оборотов волны попадают на прежние.</translation>
+        </message>
+        <message>
+            <source>Waves it would leave</source>
+            <translation>Сколько волн оставил бы</translation>
+        </message>
+        <message>
+            <source>At the other work speed</source>
+            <translation>При другой частоте детали</translation>
+        </message>
+        <message>
+            <source>At the other wheel speed</source>
+            <translation>При другой частоте круга</translation>
+        </message>
+        <message>
+            <source>Other work speed</source>
+            <translation>Другая частота детали</translation>
+        </message>
+        <message>
+            <source>Other wheel speed</source>
+            <translation>Другая частота круга</translation>
+        </message>
     </context>
     <context>
         <name>OutputCells</name>
@@ -8511,6 +8559,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>%1 min</source>
             <translation>%1 мин</translation>
+        </message>
+        <message>
+            <source>Work speeds left out because their rotation ratio is within %1 of a whole number, where the waves of the wheel, whose runout is not given, would print onto one another: %2.</source>
+            <translation>Не рассматривались частоты вращения заготовки, при которых отношение частот ближе %1 к целому числу: там волны круга, биение которого не задано, попадали бы друг на друга: %2.</translation>
         </message>
     </context>
     <context>
