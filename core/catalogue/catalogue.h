@@ -110,8 +110,7 @@ template <class Entry>
                                                const std::vector<Entry>& own);
 
 /// Copies the values of an entry into the project, and removes values that the entry marks as
-/// unknown or that a given object of it, such as a machine's limits, lacks; all others are
-/// unchanged.
+/// unknown or that an object of it, such as a machine's limits, lacks; all others are unchanged.
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project);
 

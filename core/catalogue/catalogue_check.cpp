@@ -119,13 +119,17 @@ ordered_json appliedPart(const ordered_json& value, const StructInfo& table,
         }
     }
     for (const Field& field : table.fields) {
-        if (!field.nested || !applied.contains(field.key) || !applied[field.key].is_object()) {
+        const bool isAlways = field.nested && field.kind == Kind::object;
+        if (!isAlways && (!field.nested || !applied.contains(field.key))) {
             continue;
         }
         ordered_json& part = applied[field.key];
+        part = part.is_null() ? ordered_json::object() : part;
         for (const Field& inner : field.nested->fields) {
-            if (!part.contains(inner.key)
-                && (inner.kind == Kind::optionalNumber || inner.kind == Kind::optionalNumberList)) {
+            const bool mayLack = inner.kind == Kind::optionalNumber
+                                 || inner.kind == Kind::optionalInteger
+                                 || inner.kind == Kind::optionalNumberList;
+            if (mayLack && !part.contains(inner.key)) {
                 part[inner.key] = nullptr;
             }
         }

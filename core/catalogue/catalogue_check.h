@@ -26,8 +26,8 @@ void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
                                                const std::string& prefix = {});
 
 /// What an entry changes: its given part, with null for an optional value that a source marks as
-/// unknown, and for one that is missing from a given object: stiffnesses or limits are those of one
-/// machine, not of two.
+/// unknown, and for one that is missing from an object that is given or that every value has: the
+/// limits are those of one machine, not of two.
 [[nodiscard]] nlohmann::ordered_json appliedPart(const nlohmann::ordered_json& value,
                                                  const StructInfo& table,
                                                  const std::vector<ValueSource>& sources);

@@ -279,32 +279,46 @@ std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factor
     return result.status == RunStatus::completed ? result.countsByStage : std::vector<int>();
 }
 
+namespace {
+
+constexpr double leastLag_s = 1e-6;
+
 // On a linear piece y(t) of slope r the reading is y − r·τ plus the decaying remainder of the
-// difference at its beginning. Long past pieces are dropped.
-double laggedAt(const std::vector<double>& times, const std::vector<double>& values, double time,
-                double lag_s) {
-    constexpr double least_s = 1e-6, forgotten = 40;
-    if (lag_s < least_s || times.size() < 2 || time <= times.front()) {
+// difference at its beginning.
+double laggedOnPiece(const std::vector<double>& times, const std::vector<double>& values,
+                     std::size_t at, double reading, double over_s, double lag_s) {
+    const double slope = (values[at + 1] - values[at]) / (times[at + 1] - times[at]);
+    const double behind = slope * lag_s;
+    return values[at] + slope * over_s - behind
+           + (reading - values[at] + behind) * std::exp(-over_s / lag_s);
+}
+
+} // namespace
+
+std::vector<double> laggedKnots(const std::vector<double>& times, const std::vector<double>& values,
+                                double lag_s) {
+    std::vector<double> knots = values;
+    for (std::size_t i = 1; lag_s >= leastLag_s && i < times.size(); ++i) {
+        knots[i] = times[i] > times[i - 1] ? laggedOnPiece(times, values, i - 1, knots[i - 1],
+                                                           times[i] - times[i - 1], lag_s)
+                                           : knots[i - 1];
+    }
+    return knots;
+}
+
+double laggedBetween(const std::vector<double>& times, const std::vector<double>& values,
+                     const std::vector<double>& knots, double time, double lag_s) {
+    if (lag_s < leastLag_s || times.size() < 2 || time <= times.front()) {
         return valueAt(times, values, time - std::min(lag_s, 0.0));
     }
-    const auto from = std::lower_bound(times.begin(), times.end(), time - forgotten * lag_s);
-    auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(from - times.begin() - 1, 0));
-    double reading = values[at];
-    for (; at + 1 < times.size() && times[at] < time; ++at) {
-        if (!(times[at + 1] > times[at])) {
-            continue;
-        }
-        const double slope = (values[at + 1] - values[at]) / (times[at + 1] - times[at]);
-        const double over_s = std::min(time, times[at + 1]) - times[at];
-        const double behind = slope * lag_s;
-        reading = values[at] + slope * over_s - behind
-                  + (reading - values[at] + behind) * std::exp(-over_s / lag_s);
+    if (time >= times.back()) {
+        return values.back()
+               + (knots.back() - values.back()) * std::exp(-(time - times.back()) / lag_s);
     }
-    if (time > times.back()) {
-        reading =
-            values.back() + (reading - values.back()) * std::exp(-(time - times.back()) / lag_s);
-    }
-    return reading;
+    const auto at =
+        static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin())
+        - 1;
+    return laggedOnPiece(times, values, at, knots[at], time - times[at], lag_s);
 }
 
 double valueAt(const std::vector<double>& times, const std::vector<double>& values, double time) {

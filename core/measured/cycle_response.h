@@ -64,10 +64,13 @@ struct CycleResponse {
 [[nodiscard]] double valueAt(const std::vector<double>& times, const std::vector<double>& values,
                              double time);
 
-/// Interpolates the output of a first-order lag with this time constant, at rest at the first
-/// value; a negative one leads.
-[[nodiscard]] double laggedAt(const std::vector<double>& times, const std::vector<double>& values,
-                              double time, double lag_s);
+/// The output of a first-order lag with this time constant, at rest at the first value, at the
+/// times of a piecewise linear input, and interpolated exactly between them; a negative lag leads.
+[[nodiscard]] std::vector<double> laggedKnots(const std::vector<double>& times,
+                                              const std::vector<double>& values, double lag_s);
+[[nodiscard]] double laggedBetween(const std::vector<double>& times,
+                                   const std::vector<double>& values,
+                                   const std::vector<double>& knots, double time, double lag_s);
 
 /// The sizes of many parts with an unknown stock within the steps of the feed: for each zone or
 /// section the mean diameter less the nominal one.

@@ -202,6 +202,11 @@ bool isOfRecorder(FittedKind kind) {
     return parameterRow(kind).role == ParameterRole::recorder;
 }
 
+bool isLag(FittedKind kind) {
+    return kind == FittedKind::gauge_lag || kind == FittedKind::power_lag
+           || kind == FittedKind::force_lag;
+}
+
 bool isInput(FittedKind kind) {
     return isFactor(kind) || parameterRow(kind).role == ParameterRole::input;
 }

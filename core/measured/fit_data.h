@@ -57,6 +57,8 @@ struct FittedParameter {
 [[nodiscard]] bool actsOnDepths(FittedKind kind);
 /// Whether it is a property of the recorder: offset, times, lag and drift.
 [[nodiscard]] bool isOfRecorder(FittedKind kind);
+/// Whether it is a time constant of the gauge or of a filter.
+[[nodiscard]] bool isLag(FittedKind kind);
 /// Whether it is an input of the project; the others belong to the traces.
 [[nodiscard]] bool isInput(FittedKind kind);
 /// The distance of a parameter from its value beyond which it counts as unknown: a ratio for a

@@ -227,6 +227,16 @@ CycleFactors cycleFactors(const Project& project, const std::vector<FittedParame
     return factors;
 }
 
+double startOfLag(const std::vector<FittedParameter>& list, FittedKind lag) {
+    const FittedKind delay = lag == FittedKind::power_lag   ? FittedKind::power_delay
+                             : lag == FittedKind::force_lag ? FittedKind::force_delay
+                                                            : FittedKind::time_shift;
+    const bool hasTwin = std::ranges::any_of(list, [delay](const FittedParameter& each) {
+        return each.kind == FittedKind::time_shift || each.kind == delay;
+    });
+    return hasTwin ? usualLag_s : 0;
+}
+
 FitProblem::FitProblem(const Project& project, const FitData& data,
                        const std::vector<FittedParameter>& parameters, std::stop_token stop)
     : m_project(project)
@@ -294,6 +304,7 @@ bool FitProblem::run(const CycleFactors& factors) {
     if (!m_hasResponse || !(factors == m_lastFactors)) {
         m_response = respond(m_project, factors, m_steps, m_withPlaces, m_stop);
         m_lastFactors = factors;
+        m_lagged.clear();
         m_hasResponse = true;
     }
     return m_response.ran && !isStopped();
@@ -315,6 +326,18 @@ std::vector<double> FitProblem::stageEnds(const std::vector<double>& q) {
     return ends;
 }
 
+double FitProblem::lagged(const std::vector<double>& times, const std::vector<double>& values,
+                          double time, double lag_s) const {
+    auto known = std::ranges::find(m_lagged, values.data(), &Lagged::of);
+    if (known == m_lagged.end()) {
+        known = m_lagged.insert(known, Lagged{values.data(), lag_s, {}});
+    }
+    if (known->knots.empty() || known->lag_s != lag_s) {
+        *known = {values.data(), lag_s, laggedKnots(times, values, lag_s)};
+    }
+    return laggedBetween(times, values, known->knots, time, lag_s);
+}
+
 double FitProblem::predicted(const FitGroup& group, std::size_t index,
                              const Scalars& scalars) const {
     if (group.source == FitSource::parts) {
@@ -329,13 +352,13 @@ double FitProblem::predicted(const FitGroup& group, std::size_t index,
             group.place ? m_response.placeSizes_mm[static_cast<std::size_t>(*group.place)]
                         : m_response.size_mm;
         constexpr double sPerMin = 60;
-        return laggedAt(m_response.end_s, sizes, time, scalars.lag_s) + scalars.offset_mm
+        return lagged(m_response.end_s, sizes, time, scalars.lag_s) + scalars.offset_mm
                + scalars.drift_mm_min * time / sPerMin;
     }
     const bool isForce = group.source == FitSource::force;
     const double lag_s = isForce ? scalars.forceLag_s : scalars.powerLag_s;
     const auto value = [&](const std::vector<double>& values) {
-        return laggedAt(m_response.middle_s, values, time, lag_s);
+        return lagged(m_response.middle_s, values, time, lag_s);
     };
     if (isForce) {
         return scalars.flow
@@ -532,6 +555,9 @@ std::vector<double> FitProblem::startAt(std::vector<double> q) {
             case FittedKind::force_delay: return runs ? startOfDelay(FitSource::force, scalars) : 0;
             case FittedKind::size_offset: return runs ? startOfOffset(scalars, scalars.shift_s) : 0;
             case FittedKind::idle_power: return scalars.idle_kw;
+            case FittedKind::gauge_lag:
+            case FittedKind::power_lag:
+            case FittedKind::force_lag: return startOfLag(m_parameters, kind);
             default: return std::nullopt;
             }
         }();

@@ -15,6 +15,14 @@ namespace sparkout {
                                         const std::vector<FittedParameter>& list,
                                         const std::vector<double>& q);
 
+/// Prior for the lag of a gauge that is not given: gauges filter over 0.05 to 0.3 s, so twice this
+/// value is plausible. An estimate.
+inline constexpr double usualLag_s = 0.15;
+
+/// Where the search for a lag begins [s]: at 0 a change of it is one of a fitted delay or shift,
+/// from which only a greater one differs.
+[[nodiscard]] double startOfLag(const std::vector<FittedParameter>& list, FittedKind lag);
+
 /// The residuals of the measured values from the simulated cycle as a function of coordinates q,
 /// one for each parameter: the logarithm of a factor or a runout, otherwise the value in its unit.
 /// The numbers of steps of the stages are given, so that the function is smooth.
@@ -69,6 +77,9 @@ private:
                lag_s = 0, powerLag_s = 0, forceLag_s = 0, drift_mm_min = 0;
     };
     [[nodiscard]] Scalars scalarsAt(const std::vector<double>& q) const;
+    /// Of a signal of the last response behind a lag.
+    [[nodiscard]] double lagged(const std::vector<double>& times, const std::vector<double>& values,
+                                double time, double lag_s) const;
     [[nodiscard]] double predicted(const FitGroup& group, std::size_t index,
                                    const Scalars& scalars) const;
     bool run(const CycleFactors& factors);
@@ -91,6 +102,13 @@ private:
     CycleFactors m_lastFactors; ///< factors of the last response
     CycleResponse m_response;
     bool m_hasResponse = false;
+    /// Knots of its signals that lag, which the samples of a trace share.
+    struct Lagged {
+        const double* of = nullptr;
+        double lag_s = 0;
+        std::vector<double> knots;
+    };
+    mutable std::vector<Lagged> m_lagged;
 };
 
 /// The minimum of a problem's sum of squared residuals, by the Levenberg–Marquardt method of

@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::size_t leastToJudge = 5; ///< values
 constexpr std::size_t mostStarts = 8;   ///< with different steps
+constexpr double farthestEnd = 3;       ///< of an interval, relative to ± t·σ
 
 class Identifier {
 public:
@@ -60,7 +61,9 @@ public:
             const std::vector<double> white = found.covariance;
             widen(found);
             findAlike(found);
-            findEnds(found.covariance, white);
+            if (m_result.unidentified.empty()) {
+                findEnds(found.covariance, white);
+            }
         }
         if (m_stop.stop_requested()) {
             m_result.status = IdentificationStatus::stopped;
@@ -433,26 +436,35 @@ private:
     /// The ends of the intervals by the likelihood's profile. Where a parameter is skew, its
     /// interval ± t·σ does not end where the data are equally against it. With the others fitted
     /// anew the criterion, from its least, has risen at an end by (t·σ/σ_w)², σ_w the error for
-    /// white noise: in a linear problem that is ± t·σ. Offsets and times, which are nearly linear,
-    /// keep it, and so does an end at which the root of the rise is right within a tenth.
+    /// white noise: in a linear problem that is ± t·σ. What is no logarithm keeps it, and so does
+    /// an end at which the root of the rise is right within a tenth. An end more than three times
+    /// as far is not looked for; a parameter that is wider than the plausible range by it is
+    /// undetermined.
     void findEnds(const std::vector<double>& covariance, const std::vector<double>& white) {
         const std::size_t count = m_request.parameters.size();
         const double least = criterionAt(m_best.q);
         for (std::size_t i = 0; i < count; ++i) {
             const double half = student() * std::sqrt(covariance[i * count + i]);
             const double rise = half / std::sqrt(white[i * count + i]);
-            const bool isSkew = !isOfRecorder(m_request.parameters[i].kind);
+            const FittedKind kind = m_request.parameters[i].kind;
+            const bool isSkew = isFactor(kind) || kind == FittedKind::blank_runout;
             const auto endOn = [&](double side) {
                 return isSkew ? profileEnd(i, side * half, rise, least, white) : half;
             };
-            m_ends.emplace_back(endOn(-1), endOn(1));
+            const double below = endOn(-1), above = endOn(1);
+            m_ends.emplace_back(below, above);
+            constexpr double almost = 0.999;
+            if (std::max(below, above) > almost * farthestEnd * half
+                && below + above > 2 * std::log(plausibleRange(kind))) {
+                m_result.unidentified.push_back({{i}, Advice::another_feed});
+            }
         }
     }
 
     /// The distance of an end from the best coordinate, searched from `to` on; the rise is a root.
     [[nodiscard]] double profileEnd(std::size_t i, double to, double rise, double least,
                                     const std::vector<double>& white) {
-        constexpr double almostLinear = 0.1, settled = 0.02, farthest = 3;
+        constexpr double almostLinear = 0.1, settled = 0.02;
         constexpr int mostSteps = 6;
         const std::size_t count = m_best.q.size();
         std::vector<bool> fixed(count, false);
@@ -470,8 +482,8 @@ private:
                 break;
             }
             at = std::isfinite(risen) ? at * std::clamp(rise / risen, 0.5, 2.0) : at / 2;
-            if (std::abs(at) > farthest * std::abs(to)) {
-                at = farthest * to;
+            if (std::abs(at) > farthestEnd * std::abs(to)) {
+                at = farthestEnd * to;
                 break;
             }
         }
@@ -493,6 +505,7 @@ private:
 
     void addValues(const Identifiability& found) {
         const std::size_t count = m_request.parameters.size();
+        const double t = student();
         std::vector<double> errors;
         std::vector<double> wider; // ratio of the interval to that of the covariance
         for (std::size_t i = 0; i < count; ++i) {
@@ -503,10 +516,11 @@ private:
             value.parameter = m_request.parameters[i];
             value.value = FitProblem::valueOf(kind, q);
             const auto [least, most] = m_alike[i];
-            value.interval95 = {FitProblem::valueOf(kind, least - m_ends[i].first),
-                                FitProblem::valueOf(kind, most + m_ends[i].second)};
+            const auto [below, above] = m_ends[i];
+            value.interval95 = {FitProblem::valueOf(kind, least - below),
+                                FitProblem::valueOf(kind, most + above)};
             const bool isRelative = isFactor(kind) || kind == FittedKind::blank_runout;
-            const double half = error + (most - least) / 2;
+            const double half = (below + above) / (2 * t) + (most - least) / 2;
             wider.push_back(half / error);
             value.error = isRelative ? half : FitProblem::valueOf(kind, half);
             errors.push_back(error);

@@ -45,8 +45,9 @@ bool isOfData(FittedKind kind, const FitData& data) {
            });
 }
 
-/// RMS of each group.
+/// RMS of each group; `weights` of a robust loss lessen outliers.
 std::vector<double> noiseByGroup(const FitData& data, const std::vector<double>& differences,
+                                 const std::vector<double>& weights,
                                  const std::vector<double>& before) {
     constexpr double leastShare = 1e-9;
     std::vector<double> noise;
@@ -55,7 +56,8 @@ std::vector<double> noiseByGroup(const FitData& data, const std::vector<double>&
         double squares = 0;
         const std::size_t count = data.groups[g].values.size();
         for (std::size_t i = 0; i < count; ++i, ++at) {
-            squares += differences[at] * differences[at];
+            const double left = differences[at] * (weights.empty() ? 1 : weights[at]);
+            squares += left * left;
         }
         noise.push_back(
             std::max(std::sqrt(squares / static_cast<double>(count)), leastShare * before[g]));
@@ -91,18 +93,22 @@ public:
 
     /// Adds the result, unless the time is 0 as far as the data determine it.
     void find(const LeastSquares& best, const std::vector<double>& errors, LeftOut& leftOut) {
-        std::vector<double> from = best.q;
+        std::vector<double> from = best.q, begin = best.q;
         from.push_back(0);
-        if (!isWorthAFit(from)) {
+        const FittedKind kind = m_list.back().kind;
+        const double begin_s = isLag(kind) ? startOfLag(m_list, kind) : 0;
+        begin.push_back(FitProblem::coordinateOf(kind, begin_s));
+        if (begin_s == 0 && !isWorthAFit(from)) {
             return;
         }
         const std::vector<bool> free(m_list.size(), false);
-        LeastSquares wider = minimise(m_problem, from, free);
+        LeastSquares wider = minimise(m_problem, begin, free);
         std::vector<double> differences;
         if (!m_problem.differences(wider.q, differences)) {
             return;
         }
-        m_problem.setNoise(noiseByGroup(m_data, differences, m_problem.noise()));
+        m_problem.setNoise(
+            noiseByGroup(m_data, differences, m_problem.weights(), m_problem.noise()));
         wider = minimise(m_problem, wider.q, free);
         if (!wider.converged || m_problem.isStopped()
             || !m_problem.differences(wider.q, differences)) {
@@ -120,7 +126,8 @@ public:
         const double gain = (criterionAt(from) - wider.criterion) / (wide * wide);
         found.error = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back())) * wide;
         if (!isCertain(found) || gain < certainDelay * certainDelay) {
-            if (std::abs(found.amount) > possibleDelay * found.error) {
+            if (std::abs(found.amount) > possibleDelay * found.error
+                && gain > possibleDelay * possibleDelay) {
                 LeftOut::Possible& one = leftOut.possible.emplace_back();
                 for (std::size_t i = 0; i < best.q.size(); ++i) {
                     one.q.push_back(wider.q[i]);
@@ -220,20 +227,12 @@ double inflation(double autocorrelation) {
     return (1 + rho) / (1 - rho);
 }
 
-namespace {
-
-bool isLag(FittedKind kind) {
-    return kind == FittedKind::gauge_lag || kind == FittedKind::power_lag
-           || kind == FittedKind::force_lag;
-}
-
-} // namespace
-
 bool isCertain(const OutOfStep& found) {
     const double least = found.kind == FittedKind::gauge_drift ? leastDrift_mm_min
                          : isLag(found.kind)                   ? leastLag_s
                                                                : leastDelay_s;
-    return std::abs(found.amount) >= std::max(least, certainDelay * found.error);
+    const double amount = isLag(found.kind) ? found.amount : std::abs(found.amount);
+    return amount >= std::max(least, certainDelay * found.error);
 }
 
 std::vector<OutOfStep> clearest(std::vector<OutOfStep> found) {

@@ -28,10 +28,6 @@ inline constexpr double certainDelay = 3.5;
 /// The number from which it may be real: Akaike's criterion supports it.
 inline constexpr double possibleDelay = 1.4;
 
-/// Prior for the lag of a gauge that is not given: gauges filter over 0.05 to 0.3 s, so twice this
-/// value is plausible. An estimate.
-inline constexpr double usualLag_s = 0.15;
-
 /// The properties of the recorder omitted from a fit.
 struct LeftOut {
     std::vector<OutOfStep> certain;
@@ -43,7 +39,8 @@ struct LeftOut {
     std::vector<Possible> possible;
 };
 
-/// Whether it exceeds `certainDelay` standard errors, and the resolution of a recorder's clock.
+/// Whether it exceeds `certainDelay` standard errors, and the resolution of a recorder's clock; no
+/// lag is negative: that would be a delay.
 [[nodiscard]] bool isCertain(const OutOfStep& found);
 
 /// Of a delay and a filter of the same trace, which look alike, the one with more standard errors.

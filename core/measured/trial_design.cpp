@@ -197,10 +197,11 @@ private:
         std::vector<double> q;
         q.reserve(all.size());
         for (const FittedParameter& parameter : all) {
-            q.push_back(
-                parameter.kind == FittedKind::blank_runout ? FitProblem::coordinateOf(
-                    parameter.kind, std::max(leastRunout_mm, factorsOf(project).blankRunout_mm))
-                                                           : 0);
+            const FittedKind kind = parameter.kind;
+            q.push_back(kind == FittedKind::blank_runout ? FitProblem::coordinateOf(
+                            kind, std::max(leastRunout_mm, factorsOf(project).blankRunout_mm))
+                        : isLag(kind) ? FitProblem::coordinateOf(kind, startOfLag(all, kind))
+                                      : 0);
         }
         std::vector<std::size_t> columns(all.size());
         std::iota(columns.begin(), columns.end(), std::size_t{0});

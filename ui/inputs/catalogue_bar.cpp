@@ -245,8 +245,9 @@ void CatalogueDialog::fill(const QString& current) {
         const auto values = changesBy(item.entry, m_project);
         for (std::size_t i = 0; i < keys.size(); ++i) {
             const auto value =
-                std::find_if(values.begin(), values.end(),
-                             [&](const CatalogueChange& change) { return change.key == keys[i]; });
+                std::find_if(values.begin(), values.end(), [&](const CatalogueChange& change) {
+                    return change.key == keys[i] && change.source;
+                });
             row->setText(int(i) + 1, value == values.end() ? QStringLiteral("—") : value->then);
             row->setTextAlignment(int(i) + 1, Qt::AlignRight | Qt::AlignVCenter);
         }

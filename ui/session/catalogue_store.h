@@ -82,7 +82,7 @@ struct CatalogueChange {
     QString now;     ///< value in the project, translated, without its unit
     QString then;    ///< value in the entry; "not known"
     bool changed;
-    const ValueSource* source; ///< null for texts
+    const ValueSource* source; ///< null for texts, and for what the entry lacks
 };
 
 /// Shown for a value that is unknown to an entry.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/measured/cycle_response.h"
 #include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/simulation/simulate.h"
@@ -127,6 +128,12 @@ inline double between(const std::vector<double>& times, const std::vector<double
         }
     }
     return values.back();
+}
+
+/// The reading of a first-order lag, at rest at the first value.
+inline double laggedAt(const std::vector<double>& times, const std::vector<double>& values,
+                       double time, double lag_s) {
+    return laggedBetween(times, values, laggedKnots(times, values, lag_s), time, lag_s);
 }
 
 /// How a trace is recorded.

@@ -221,6 +221,13 @@ private slots:
             QVERIFY2(found.interval95.low <= lag_s && lag_s <= found.interval95.high, said(with));
             QVERIFY2(std::abs(found.value - lag_s) < 0.05 * lag_s, said(with));
             QVERIFY2(near(with, list.front().kind, 1, 0.05), said(with));
+            if (!isForce) { // a shift of the time looks like it, and does not take its place
+                list.push_back(of(FittedKind::time_shift));
+                const Identification both = identify(measured, {.parameters = list});
+                QVERIFY2(both.status == IdentificationStatus::fitted, said(both));
+                QVERIFY2(near(both, kind, lag_s, 0.1 * lag_s), said(both));
+                QVERIFY2(near(both, FittedKind::time_shift, 0, 0.1 * lag_s), said(both));
+            }
         }
     }
 

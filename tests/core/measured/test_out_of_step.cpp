@@ -104,6 +104,7 @@ private slots:
             QVERIFY(without.outOfStep.empty()
                     || without.status == IdentificationStatus::doesNotFit);
             for (const OutOfStep& found : without.outOfStep) {
+                QVERIFY(!isLag(found.kind) || found.amount > 0); // that would be a delay
                 if (found.kind == FittedKind::power_delay) {
                     // With the steps of the stages held a long one is said roughly.
                     const double room = std::abs(amount) > 0.3 ? 0.5 : 0.2;

@@ -6,6 +6,7 @@
 #include "core/measured/cycle_response.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
+#include "tests/core/measured/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
@@ -165,13 +166,14 @@ private slots:
         constexpr double lag_s = 0.5;
         for (double t = 0; t <= 2; t += 0.1) {
             const double exact = 1 + 2 * t - 2 * lag_s * (1 - std::exp(-t / lag_s));
-            QVERIFY(std::abs(laggedAt(times, values, t, lag_s) - exact) < 1e-12);
+            QVERIFY(std::abs(measured_cycles::laggedAt(times, values, t, lag_s) - exact) < 1e-12);
         }
         const double atEnd = 2 * lag_s * (1 - std::exp(-2 / lag_s));
-        QVERIFY(std::abs(laggedAt(times, values, 4, lag_s) - (5 - atEnd * std::exp(-2 / lag_s)))
+        QVERIFY(std::abs(measured_cycles::laggedAt(times, values, 4, lag_s)
+                         - (5 - atEnd * std::exp(-2 / lag_s)))
                 < 1e-12);
-        QCOMPARE(laggedAt(times, values, 1, 0), valueAt(times, values, 1));
-        QCOMPARE(laggedAt(times, values, 1, -0.25), valueAt(times, values, 1.25));
+        QCOMPARE(measured_cycles::laggedAt(times, values, 1, 0), valueAt(times, values, 1));
+        QCOMPARE(measured_cycles::laggedAt(times, values, 1, -0.25), valueAt(times, values, 1.25));
     }
 };
 
