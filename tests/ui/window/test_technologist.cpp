@@ -309,6 +309,7 @@ struct Workplace : Bench {
         hand.countKey(); // Enter
         hand.check(QTest::qWaitFor([&] { return answers.fault().isEmpty(); }),
                    QStringLiteral("dialog: ") + answers.fault());
+        activate(*window); // as a window manager does
         settle();
     }
     [[nodiscard]] static QList<QToolButton*> toolsOf(const QWidget& widget) {
