@@ -33,6 +33,12 @@ endif()
 if(SPARKOUT_WERROR)
     target_compile_options(sparkout_options INTERFACE -Werror)
 endif()
+# Where there is memory enough, GCC collects its garbage less often: a twelfth of the window's time of
+# compiling, a twentieth of the core's, the same code.
+cmake_host_system_information(RESULT SPARKOUT_HOST_MEMORY QUERY TOTAL_PHYSICAL_MEMORY) # MiB
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND SPARKOUT_HOST_MEMORY GREATER 12000)
+    target_compile_options(sparkout_options INTERFACE --param=ggc-min-heapsize=3000000)
+endif()
 if(SPARKOUT_SANITIZE)
     # The address sanitizer sees a null pointer's use and an object's end itself, and x86-64 reads
     # unaligned; without these three checks a third of the time of compiling goes.

@@ -281,7 +281,7 @@ std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factor
 
 namespace {
 
-constexpr double leastLag_s = 1e-6;
+constexpr double hardlyLag_s = 1e-6;
 
 // On a linear piece y(t) of slope r the reading is y − r·τ plus the decaying remainder of the
 // difference at its beginning.
@@ -298,7 +298,7 @@ double laggedOnPiece(const std::vector<double>& times, const std::vector<double>
 std::vector<double> laggedKnots(const std::vector<double>& times, const std::vector<double>& values,
                                 double lag_s) {
     std::vector<double> knots = values;
-    for (std::size_t i = 1; lag_s >= leastLag_s && i < times.size(); ++i) {
+    for (std::size_t i = 1; lag_s >= hardlyLag_s && i < times.size(); ++i) {
         knots[i] = times[i] > times[i - 1] ? laggedOnPiece(times, values, i - 1, knots[i - 1],
                                                            times[i] - times[i - 1], lag_s)
                                            : knots[i - 1];
@@ -308,7 +308,7 @@ std::vector<double> laggedKnots(const std::vector<double>& times, const std::vec
 
 double laggedBetween(const std::vector<double>& times, const std::vector<double>& values,
                      const std::vector<double>& knots, double time, double lag_s) {
-    if (lag_s < leastLag_s || times.size() < 2 || time <= times.front()) {
+    if (lag_s < hardlyLag_s || times.size() < 2 || time <= times.front()) {
         return valueAt(times, values, time - std::min(lag_s, 0.0));
     }
     if (time >= times.back()) {

@@ -436,10 +436,10 @@ private:
     /// The ends of the intervals by the likelihood's profile. Where a parameter is skew, its
     /// interval ± t·σ does not end where the data are equally against it. With the others fitted
     /// anew the criterion, from its least, has risen at an end by (t·σ/σ_w)², σ_w the error for
-    /// white noise: in a linear problem that is ± t·σ. What is no logarithm keeps it, and so does
-    /// an end at which the root of the rise is right within a tenth. An end more than three times
-    /// as far is not looked for; a parameter that is wider than the plausible range by it is
-    /// undetermined.
+    /// white noise: in a linear problem that is ± t·σ. Parameters that are not fitted as logarithms
+    /// keep ± t·σ, and so does an end at which the root of the rise is right within a tenth. An end
+    /// more than three times as far is not searched for; a parameter whose interval exceeds the
+    /// plausible range because of it is undetermined.
     void findEnds(const std::vector<double>& covariance, const std::vector<double>& white) {
         const std::size_t count = m_request.parameters.size();
         const double least = criterionAt(m_best.q);

@@ -178,9 +178,9 @@ private slots:
         // One's own machine may have none, and a form of which the lobes are not known.
         Project mine = fixtures::plunge();
         mine.machine->limits = {};
-        mine.machine->form = MachineForm{.roundness_um = std::vector<double>{1, 1, 1, 1}};
+        mine.machine->form.emplace().roundness_um = std::vector<double>{1, 1, 1, 1};
         const MachineEntry entry = entryOf<MachineEntry>(mine, "mine");
-        project.machine->form = MachineForm{.lobes = 5};
+        project.machine->form.emplace().lobes = 5;
         applyEntry(entry, project);
         QVERIFY(!project.machine->limits.wheel_bore_mm && !project.machine->limits.part_length_mm);
         QVERIFY(project.machine->form && !project.machine->form->lobes);

@@ -309,6 +309,7 @@ struct Workplace : Bench {
         hand.countKey(); // Enter
         hand.check(QTest::qWaitFor([&] { return answers.fault().isEmpty(); }),
                    QStringLiteral("dialog: ") + answers.fault());
+        activate(*window); // as a window manager does
         settle();
     }
     [[nodiscard]] static QList<QToolButton*> toolsOf(const QWidget& widget) {
@@ -410,8 +411,11 @@ struct Workplace : Bench {
             takePicture(dialog, QStringLiteral("add"));
         });
         calm();
+        // A step of the shaft has its diameter, and the tolerance class is typed; a bore has none.
+        const bool isSized = !window->document().isOpen("/part/diameter_mm");
+        const QString first = QString::fromLatin1(isSized ? "sizeField" : "/part/diameter_mm");
         hand.check(QApplication::focusWidget()
-                       && QApplication::focusWidget()->objectName() == QStringLiteral("sizeField"),
+                       && QApplication::focusWidget()->objectName() == first,
                    QStringLiteral("the size of a new surface is not asked for first"));
         hand.type(QString::fromLatin1(drawn.size));
         typeDrawing(drawn);
