@@ -267,8 +267,9 @@ std::optional<double> toleranceOf(const Part& part, MeasuredQuantity quantity) {
     return part.tolerance.roughness_ra_um;
 }
 
-/// The requirement on a quantity; on a diameter its minimum.
-ConstraintKind requirementKind(MeasuredQuantity quantity) {
+} // namespace
+
+ConstraintKind requirementOn(MeasuredQuantity quantity) {
     switch (quantity) {
     case MeasuredQuantity::diameter_deviation: break;
     case MeasuredQuantity::radial_runout: return ConstraintKind::radialRunout;
@@ -278,6 +279,8 @@ ConstraintKind requirementKind(MeasuredQuantity quantity) {
     }
     return ConstraintKind::diameterMin;
 }
+
+namespace {
 
 bool isPredictionWhole(ConstraintKind kind, const Project& project) {
     return kind == ConstraintKind::roughness ? isRoughnessCalibrated(project)
@@ -445,7 +448,7 @@ std::optional<MeasuredBias> greatestBias(const Project& project,
     std::optional<MeasuredBias> found;
     double greatest = 0;
     for (const AdequacyRow& row : rows) {
-        const ConstraintKind kind = requirementKind(row.measured.quantity);
+        const ConstraintKind kind = requirementOn(row.measured.quantity);
         const bool isBiased = row.verdict == AdequacyVerdict::biased
                               || row.verdict == AdequacyVerdict::biasedAndScatters;
         if (!isBiased || !isPredictionWhole(kind, project)) {

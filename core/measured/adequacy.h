@@ -117,6 +117,9 @@ struct AdequacyLimits {
 /// Whether there is no contradiction with the model: no row with a bias or a different scatter.
 [[nodiscard]] bool speaksForModel(const std::vector<AdequacyRow>& rows);
 
+/// The requirement on a quantity; on a diameter its minimum.
+[[nodiscard]] ConstraintKind requirementOn(MeasuredQuantity quantity);
+
 /// The greatest bias of these rows by its limit, for the judgement of the cycle; empty if none is
 /// biased. Where the prediction is not whole, an Ra that is not calibrated or a form without the
 /// machine's own, the requirement is not decided, and a bias is no news.

@@ -3,6 +3,7 @@
 
 #include "core/batch/batch_summary.h"
 #include "core/project/part.h"
+#include "core/quality/constraints.h"
 #include "ui/measured/measured_text.h"
 #include "ui/table/csv_table.h"
 #include "ui/text/field_text.h"
@@ -103,11 +104,12 @@ BarChart MeasuredBoxes::chart(const Project& project, const std::vector<Adequacy
         }
         ++places;
         const QString place = MeasuredText::place(project, row.measured.place);
-        if (const auto box = row.predicted ? predicted(*row.predicted) : std::nullopt) {
+        const bool isDrawn = row.predicted && knowsMachine(requirementOn(quantity), project);
+        if (const auto box = isDrawn ? predicted(*row.predicted) : std::nullopt) {
             chart.categories << category(place, predictedKind);
             chart.boxes.push_back(*box);
         } else {
-            hasCorners = hasCorners || row.predicted;
+            hasCorners = hasCorners || isDrawn;
         }
         chart.categories << category(place, measuredKind);
         chart.boxes.push_back(*of);
@@ -228,7 +230,7 @@ ValueTable adequacyTable(const Project& project, const std::vector<AdequacyRow>&
              {.text = QString::number(row.measured.count), .value = count},
              {.text = MeasuredText::mean(row), .value = row.measured.mean},
              {.text = MeasuredText::bias(row), .value = orNone(row.bias95, &Interval::low)},
-             {.text = MeasuredText::predicted(row),
+             {.text = MeasuredText::predicted(project, row),
               .value = orNone(row.predicted, &PredictedRange::low)},
              {.text = MeasuredText::scatter(row),
               .value = orNone(row.scatter, &VarianceRatio::ratio)},

@@ -3,6 +3,7 @@
 
 #include "core/project/measured.h"
 #include "core/project/project.h"
+#include "core/quality/constraints.h"
 #include "core/simulation/result.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
@@ -157,9 +158,14 @@ QString MeasuredText::bias(const AdequacyRow& row) {
              width((row.bias95->high - row.bias95->low) / 2, of), width(row.biasLimit, of));
 }
 
-QString MeasuredText::predicted(const AdequacyRow& row) {
-    return row.predicted ? fromTo(row.predicted->low, row.predicted->high, row.measured.quantity)
-                         : noneStated;
+QString MeasuredText::predicted(const Project& project, const AdequacyRow& row) {
+    if (!row.predicted) {
+        return noneStated;
+    }
+    const MeasuredQuantity of = row.measured.quantity;
+    return knowsMachine(requirementOn(of), project)
+               ? fromTo(row.predicted->low, row.predicted->high, of)
+               : Names::formAmount(row.predicted->low, false);
 }
 
 QString MeasuredText::scatter(const AdequacyRow& row) {

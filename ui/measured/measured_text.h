@@ -32,7 +32,7 @@ public:
     static QString width(double width_um, MeasuredQuantity quantity); ///< width of an interval
     static QString mean(const AdequacyRow& row);
     static QString bias(const AdequacyRow& row); ///< "−0.7 ± 0.5 (1.6)"
-    static QString predicted(const AdequacyRow& row);
+    static QString predicted(const Project& project, const AdequacyRow& row);
     static QString scatter(const AdequacyRow& row); ///< F with its bounds by chance
     static QString share(const AdequacyRow& row);
     static QString verdict(AdequacyVerdict verdict);

@@ -5,6 +5,7 @@
 #include "core/measured/adequacy.h"
 #include "core/measured/hold_out.h"
 #include "core/project/batch.h"
+#include "core/project/machine.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
 #include "core/statistics/intervals.h"
@@ -16,6 +17,7 @@
 #include "ui/chart/bar_plot.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/measured/import_dialog.h"
+#include "ui/measured/measured_boxes.h"
 #include "ui/measured/measured_text.h"
 #include "ui/views/part/overview_view.h"
 #include "ui/views/study/measured_view.h"
@@ -505,6 +507,32 @@ private slots:
         QTest::keyClick(&table, Qt::Key_Delete, Qt::ControlModifier);
         QCOMPARE(desk.measured()->parts.size(), 2U);
         QCOMPARE(desk.measured()->parts[1].part, std::string("3"));
+    }
+
+    /// A form without the machine's own is not compared: no box, and no figure that would be a
+    /// zero.
+    void aPredictedFormWithoutTheMachinesIsNoZero() {
+        const Desk desk;
+        QVERIFY(desk.opened);
+        Project project = desk.bench.window->document().project();
+        AdequacyRow row;
+        row.measured.quantity = MeasuredQuantity::roundness;
+        row.measured.values = {1.5, 1.6, 1.7, 1.8, 1.9};
+        PredictedRange& predicted = row.predicted.emplace();
+        predicted.high = 0.004;
+        QVERIFY(!isRoundnessKnown(*project.machine));
+        QCOMPARE(MeasuredText::predicted(project, row), QStringLiteral("–"));
+        predicted.low = 0.7;
+        QCOMPARE(MeasuredText::predicted(project, row), QStringLiteral("≥ 0.70"));
+        const auto boxes = [&] {
+            return MeasuredBoxes::chart(project, {row}, MeasuredQuantity::roundness).boxes.size();
+        };
+        predicted.count = 1;
+        QCOMPARE(boxes(), 1U);
+        project.machine->form.emplace().roundness_um.emplace();
+        QVERIFY(isRoundnessKnown(*project.machine));
+        QCOMPARE(boxes(), 2U);
+        QVERIFY(MeasuredText::predicted(project, row).startsWith(QStringLiteral("0.7")));
     }
 
     void theOverviewShowsMeasuredDiametersBesideTheBatch() {
