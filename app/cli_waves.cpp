@@ -3,6 +3,7 @@
 #include "app/cli_report.h"
 #include "app/commands.h"
 #include "core/file/output_json.h"
+#include "core/file/strict_json.h"
 #include "core/study/wave_causes.h"
 
 #include <nlohmann/json.hpp>

@@ -7,6 +7,7 @@
 #include "core/project/machine.h"
 #include "core/project/project.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "core/quality/constraints.h"
 
 #include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/ranges.h"
 #include "core/quality/result_names.h"

@@ -4,7 +4,7 @@
 #include "core/project/machine.h"
 #include "core/project/wheel.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/quality/finished_surface.h"
+#include "core/quality/ranges.h"
 #include "core/text.h"
 #include "core/units.h"
 

@@ -27,7 +27,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 26> members{"/title",
+constexpr std::array<std::string_view, 27> members{"/title",
                                                    "/author",
                                                    "/notes",
                                                    "/coolant",
