@@ -2,12 +2,10 @@
 #include "app/cli_io.h"
 #include "app/cli_report.h"
 #include "app/commands.h"
-#include "core/file/output_json.h"
-#include "core/file/strict_json.h"
 #include "core/study/wave_causes.h"
+#include "words/wave_words.h"
 
-#include <nlohmann/json.hpp>
-
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,16 +14,12 @@ namespace sparkout::cli {
 namespace {
 
 std::string sourceText(const WaveCause& cause) {
-    switch (cause.source) {
-    case WaveSource::wheel:
-        return cause.lobes == 1 ? "the wheel: runout or unbalance"
-                                : "the wheel: " + std::to_string(cause.lobes) + " waves around it";
-    case WaveSource::frequency: return fixed(cause.frequency_hz, 1) + " Hz";
-    case WaveSource::wheelHead:
-        return "chatter at the wheel head's " + fixed(cause.frequency_hz, 1) + " Hz";
-    case WaveSource::work: break;
-    }
-    return "fixed to the work: centres, headstock, blank";
+    const double number = numberOf(cause);
+    std::string text = textOf(cause);
+    const std::size_t at = text.find("%1");
+    return at == std::string::npos
+               ? text
+               : text.replace(at, 2, fixed(number, number == std::floor(number) ? 0 : 1));
 }
 
 std::string causesText(const std::vector<WaveCause>& causes, const WaveTest& test) {
@@ -37,28 +31,14 @@ std::string causesText(const std::vector<WaveCause>& causes, const WaveTest& tes
                 + " rev/min of the work, " + fixed(cause.atOtherWheel, 1) + " at "
                 + fixed(test.wheelSpeed_rpm, 0) + " of the wheel\n";
     }
-    return text
-           + "Grind with the other speeds, one at a time, and count again: the count of the cause "
-             "moves as stated here. Where it is the wheel's, force and power ripple off a whole "
-             "ratio of the speeds and not at it.\n";
+    return text + waveTestText() + "\n";
 }
 
 int stateCauses(const Project& project, const manual::Given& given) {
-    WaveInquiry asked{.counted = static_cast<double>(*given.integer("--count")),
-                      .frequencies_hz = {}};
-    for (const int frequency_hz : given.integers("--frequencies")) {
-        asked.frequencies_hz.push_back(frequency_hz);
-    }
-    const std::vector<WaveCause> causes = waveCauses(project, asked);
-    const WaveTest test = waveTest(project, asked.counted);
-    if (given.has("--json")) {
-        nlohmann::ordered_json json = {{"counted", asked.counted}};
-        json["test"] = outputsJson(waveTestOutputs(), test);
-        json["causes"] = outputsJsonOfEach(waveCauseOutputs(), causes);
-        print(stdout, printJson(json));
-    } else {
-        print(stdout, causesText(causes, test));
-    }
+    const WaveInquiry asked{*given.integer("--count"), given.numbers("--frequencies")};
+    print(stdout, given.has("--json")
+                      ? wavesJson(project, asked)
+                      : causesText(waveCauses(project, asked), waveTest(project, asked.counted)));
     return done;
 }
 

@@ -13,6 +13,7 @@
 #include "core/search/optimise.h"
 #include "core/sparkout.h"
 #include "core/study/kept_search.h"
+#include "core/study/wave_causes.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
 #include "python/output_attributes.h"
@@ -758,7 +759,26 @@ py::object dressingOf(const std::string& text) {
     return fromJson(dressingJson(*read.setup, interval));
 }
 
+py::object waveCausesOf(const ValidProject& project, int counted,
+                        const std::vector<double>& frequencies_hz) {
+    if (counted < fewestWaves || counted > mostWaves) {
+        throw py::value_error("counted: " + std::to_string(counted) + "; allowed: "
+                              + std::to_string(fewestWaves) + "…" + std::to_string(mostWaves));
+    }
+    for (const double each : frequencies_hz) {
+        if (!(each >= lowestFrequency_hz && each <= highestFrequency_hz)) {
+            throw py::value_error("frequencies_hz: " + std::to_string(each)
+                                  + "; allowed: 0.1…100000 Hz");
+        }
+    }
+    return fromJson(wavesJson(project.project, {counted, frequencies_hz}));
+}
+
 void bindDecisions(py::module_& module) {
+    module.def("waves", &waveCausesOf, py::arg("project"), py::arg("counted"), py::kw_only(),
+               py::arg("frequencies_hz") = std::vector<double>(),
+               "What can have left the waves that were counted around a part, as "
+               "`sparkout-cli waves --json` has it.");
     module.def("phases", &phasesOf, py::arg("project"), py::kw_only(),
                py::arg("from_mm") = py::none(), py::arg("to_mm") = py::none(),
                "Decides for which stocks per side of the blank the cycle meets every requirement, "

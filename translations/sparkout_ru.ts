@@ -12237,6 +12237,10 @@ With another name both versions stay as they are.</source>
             <translation>&amp;Импорт измерений…</translation>
         </message>
         <message>
+            <source>Causes of &amp;waves on a part…</source>
+            <translation>Причины &amp;волн на детали…</translation>
+        </message>
+        <message>
             <source>Parts &amp;between dressings…</source>
             <translation>Детали ме&amp;жду правками…</translation>
         </message>
@@ -21242,6 +21246,64 @@ s</source>
         <message>
             <source>%1: %2, %3: %4, limit %5</source>
             <translation>%1: %2, %3: %4, предел %5</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::WavesDialog</name>
+        <message>
+            <source>Waves on a part</source>
+            <translation>Волны на детали</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>Motors, belts, pumps, the floor: numbers separated by semicolons</source>
+            <translation>Двигатели, ремни, насосы, пол: числа через точку с запятой</translation>
+        </message>
+        <message>
+            <source>&amp;Waves counted around the part:</source>
+            <translation>&amp;Волн сосчитано вокруг детали:</translation>
+        </message>
+        <message>
+            <source>Known &amp;frequencies, Hz:</source>
+            <translation>И&amp;звестные частоты, Гц:</translation>
+        </message>
+        <message>
+            <source>&amp;Close</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>The part turns with %1 rev/min, the wheel with %2. Other work speed: %3 rev/min; other wheel speed: %4 rev/min.</source>
+            <translation>Деталь вращается с частотой %1 об/мин, круг — %2. Другая частота вращения детали: %3 об/мин; другая частота вращения круга: %4 об/мин.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Waves</name>
+        <message>
+            <source>a known frequency, %1 Hz</source>
+            <translation>известная частота, %1 Гц</translation>
+        </message>
+        <message>
+            <source>chatter at the wheel head’s natural frequency, %1 Hz</source>
+            <translation>автоколебания на собственной частоте шлифовальной бабки, %1 Гц</translation>
+        </message>
+        <message>
+            <source>fixed to the work: centres, headstock, blank</source>
+            <translation>связано с деталью: центры, передняя бабка, заготовка</translation>
+        </message>
+        <message>
+            <source>the wheel: runout or unbalance</source>
+            <translation>круг: биение или дисбаланс</translation>
+        </message>
+        <message>
+            <source>the wheel, with %1 waves around it</source>
+            <translation>круг, волн на его окружности: %1</translation>
+        </message>
+        <message>
+            <source>Grind with each of the other speeds in turn and count again: the count of the true cause becomes what is stated here. If the cause is the wheel, force and power ripple off a whole ratio of the speeds and not at it.</source>
+            <translation>Прошлифуйте по разу с каждой из других частот вращения и сосчитайте волны снова: при настоящей причине их станет столько, сколько указано здесь. Если причина в круге, сила и мощность пульсируют вне целого отношения частот, а при нём не пульсируют.</translation>
         </message>
     </context>
     <context>

@@ -32,7 +32,8 @@ enum class Kind {
     choice,
     integer,
     integers, ///< separated by commas
-    number
+    number,
+    numbers
 };
 
 /// The value of an option: its display, and what the parser accepts.
@@ -70,6 +71,9 @@ constexpr Value integers(const char* shown, int low, int high) {
 }
 constexpr Value number(const char* shown, const char* is, double low, double high) {
     return {Kind::number, shown, is, "", low, high};
+}
+constexpr Value numbers(const char* shown, const char* is, double low, double high) {
+    return {Kind::numbers, shown, is, "", low, high};
 }
 
 struct Option {

@@ -300,7 +300,7 @@ Command wavesCommand() {
           .text = {"number of waves counted around the part",
                    "число волн, сосчитанных вокруг детали"}},
          {.name = "--frequencies",
-          .value = integers("HZ,…", 1, 100'000),
+          .value = numbers("HZ,…", "frequencies in Hz", 0.1, 100'000),
           .text = {"known frequencies in Hz: motors, belts, pumps, the floor",
                    "известные частоты в Гц: двигатели, ремни, насосы, пол"}},
          json}};
@@ -567,11 +567,12 @@ const Program& commandLineProgram() {
          "проектов окна и даёт те же числа, до последнего знака."},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
           "remedies, optimize, batch, sweep, phases, waves and measured take each in its order, or "
-          "the "
-          "one that --surface names, with the wheel as the surfaces before left it. A time limit "
+          "the one that --surface names, with the wheel as the surfaces before left it. A time "
+          "limit "
           "applies to each surface.",
           "Файл может содержать несколько поверхностей детали, шлифуемых за один установ. "
-          "simulate, remedies, optimize, batch, sweep, phases, waves и measured берут их все по порядку "
+          "simulate, remedies, optimize, batch, sweep, phases, waves и measured берут их все по "
+          "порядку "
           "или ту, что названа в --surface; круг приходит к ней таким, каким его оставили "
           "предыдущие. Предел времени действует для каждой поверхности."},
          {"In JSON and CSV the sections of a plunge and the parts of a batch are counted from 0, "

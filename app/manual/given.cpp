@@ -41,11 +41,14 @@ std::string whatIsNeeded(const Value& value) {
     case Kind::integer:
     case Kind::integers:
     case Kind::number:
+    case Kind::numbers:
         return value.is
                + (value.low == aboveZero
                       ? " above 0, up to " + numberText(value.high)
                       : " from " + numberText(value.low) + " to " + numberText(value.high))
-               + (value.kind == Kind::integers ? " with commas between" : "");
+               + (value.kind == Kind::integers || value.kind == Kind::numbers
+                      ? " with commas between"
+                      : "");
     default: return value.is;
     }
 }
@@ -68,12 +71,13 @@ std::optional<Number> numberIn(std::string text, const Value& value) {
                                                                   : std::nullopt;
 }
 
-/// Parses integers; empty if one is invalid.
-std::vector<int> integersIn(std::string_view text, const Value& value) {
-    std::vector<int> numbers;
+/// Parses a list; empty if one is invalid.
+template <class Number>
+std::vector<Number> numbersIn(std::string_view text, const Value& value) {
+    std::vector<Number> numbers;
     while (true) {
         const std::size_t comma = std::min(text.find(','), text.size());
-        const auto number = numberIn<int>(std::string(text.substr(0, comma)), value);
+        const auto number = numberIn<Number>(std::string(text.substr(0, comma)), value);
         if (!number) {
             return {};
         }
@@ -90,8 +94,9 @@ bool isValue(const std::string& text, const Value& value) {
     case Kind::anything: return true;
     case Kind::choice: return std::ranges::count(wordsOf(value.choices), text) > 0;
     case Kind::integer: return numberIn<int>(text, value).has_value();
-    case Kind::integers: return !integersIn(text, value).empty();
+    case Kind::integers: return !numbersIn<int>(text, value).empty();
     case Kind::number: return numberIn<double>(text, value).has_value();
+    case Kind::numbers: return !numbersIn<double>(text, value).empty();
     default: return !text.empty();
     }
 }
@@ -176,7 +181,11 @@ std::optional<double> Given::number(std::string_view option) const {
 }
 
 std::vector<int> Given::integers(std::string_view option) const {
-    return integersIn(text(option), value(option, Kind::integers));
+    return numbersIn<int>(text(option), value(option, Kind::integers));
+}
+
+std::vector<double> Given::numbers(std::string_view option) const {
+    return numbersIn<double>(text(option), value(option, Kind::numbers));
 }
 
 std::string Given::refusal(std::string_view option) const {

@@ -24,7 +24,9 @@ public:
     [[nodiscard]] const std::string& text(std::string_view option) const; ///< empty: not given
     [[nodiscard]] std::optional<int> integer(std::string_view option) const;
     [[nodiscard]] std::optional<double> number(std::string_view option) const;
-    [[nodiscard]] std::vector<int> integers(std::string_view option) const; ///< empty: not given
+    // Lists; empty: not given.
+    [[nodiscard]] std::vector<int> integers(std::string_view option) const;
+    [[nodiscard]] std::vector<double> numbers(std::string_view option) const;
 
     /// The refusal of an option's text, for commands that parse it themselves: "--shard needs I/N,
     /// not “3”".

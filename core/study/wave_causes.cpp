@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/wave_causes.h"
 
+#include "core/file/output_json.h"
+#include "core/file/strict_json.h"
 #include "core/project/machine.h"
 #include "core/text.h"
 #include "core/units.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -68,11 +72,11 @@ const char* keyOf(WaveSource source) {
     return keys[static_cast<std::size_t>(source)];
 }
 
-bool isCounted(double counted, double waves) {
+bool isCounted(int counted, double waves) {
     return std::abs(counted - waves) <= std::max(1.0, shareOfCount * counted);
 }
 
-WaveTest waveTest(const Project& project, double counted) {
+WaveTest waveTest(const Project& project, int counted) {
     const double change = std::max(leastChange, partingWaves / counted);
     return {project.machine->work_speed_rpm * (1 + change),
             wheelSpeed_rpm(project) * (1 - wheelChange)};
@@ -107,8 +111,16 @@ std::vector<WaveCause> waveCauses(const Project& project, const WaveInquiry& ask
     }
     std::ranges::stable_sort(found, {},
                              [](const WaveCause& cause) { return cause.lobes * cause.turns; });
-    found.push_back({WaveSource::work, 0, 1, 1, asked.counted, asked.counted, asked.counted});
+    const double counted = asked.counted;
+    found.push_back({WaveSource::work, 0, 1, 1, counted, counted, counted});
     return found;
+}
+
+std::string wavesJson(const Project& project, const WaveInquiry& asked) {
+    nlohmann::ordered_json json = {{"counted", asked.counted}};
+    json["test"] = outputsJson(waveTestOutputs(), waveTest(project, asked.counted));
+    json["causes"] = outputsJsonOfEach(waveCauseOutputs(), waveCauses(project, asked));
+    return printJson(json);
 }
 
 std::span<const Output<WaveCause>> waveCauseOutputs() {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 /// What can have left the waves that were counted on a part [MODEL-16]. A source that moves with
@@ -32,7 +33,7 @@ struct WaveCause {
 };
 
 struct WaveInquiry {
-    double counted = 0;                 ///< waves around the part
+    int counted = 0;                    ///< waves around the part
     std::vector<double> frequencies_hz; ///< known in the machine and around it
 };
 
@@ -41,14 +42,19 @@ struct WaveInquiry {
 struct WaveTest {
     double workSpeed_rpm = 0, wheelSpeed_rpm = 0;
 };
-[[nodiscard]] WaveTest waveTest(const Project& project, double counted);
+[[nodiscard]] WaveTest waveTest(const Project& project, int counted);
 
 /// A count is right to 3 %, and to one wave.
-[[nodiscard]] bool isCounted(double counted, double waves);
+[[nodiscard]] bool isCounted(int counted, double waves);
 
 /// The causes whose waves agree with the count, the fewest lobes and turns first; what is fixed to
 /// the work is always one. Project and inquiry must be valid: n > 0, counted ≥ 2.
 [[nodiscard]] std::vector<WaveCause> waveCauses(const Project& project, const WaveInquiry& asked);
+/// Test and causes, as `sparkout-cli waves --json` states them.
+[[nodiscard]] std::string wavesJson(const Project& project, const WaveInquiry& asked);
+/// How many waves may have been counted, and known frequencies be [Hz].
+inline constexpr int fewestWaves = 2, mostWaves = 100'000;
+inline constexpr double lowestFrequency_hz = 0.1, highestFrequency_hz = 1e5;
 
 [[nodiscard]] std::span<const Output<WaveCause>> waveCauseOutputs();
 [[nodiscard]] std::span<const Output<WaveTest>> waveTestOutputs();

@@ -51,7 +51,7 @@ QString boundText(double bound) {
 
 bool isNumber(const Value& value) {
     return value.kind == manual::Kind::integer || value.kind == manual::Kind::integers
-           || value.kind == manual::Kind::number;
+           || value.kind == manual::Kind::number || value.kind == manual::Kind::numbers;
 }
 
 /// A row for each option that takes such a value.
@@ -347,6 +347,7 @@ private slots:
         const std::map<QString, manual::Kind> asked{{"integer", manual::Kind::integer},
                                                     {"integers", manual::Kind::integers},
                                                     {"number", manual::Kind::number},
+                                                    {"numbers", manual::Kind::numbers},
                                                     {"has", manual::Kind::none},
                                                     {"text", manual::Kind::none}};
         static const QRegularExpression question(R"re(\b(\w+)\(\s*"(--?[a-z][a-z-]*)"\))re");

@@ -282,6 +282,12 @@ class Studies(unittest.TestCase):
             sparkout.phases(project, from_mm=0.149, to_mm=0.15),
             cli("phases", FACTORY, "--from", "0.149", "--to", "0.15", "--json"),
         )
+        waves = cli("waves", FACTORY, "--count", "70", "--frequencies", "46.7,25", "--json")
+        self.assertEqual(sparkout.waves(project, 70, frequencies_hz=[46.7, 25]), waves)
+        with self.assertRaisesRegex(ValueError, "counted: 1; allowed: 2"):
+            sparkout.waves(project, 1)
+        with self.assertRaisesRegex(ValueError, "frequencies_hz: 0"):
+            sparkout.waves(project, 70, frequencies_hz=[0])
         with self.assertRaisesRegex(ValueError, "from_mm"):
             sparkout.phases(project, from_mm=0.2, to_mm=0.1)
         by_position = project.with_values({"/gauge/control": "position"})

@@ -90,6 +90,7 @@ Actions::Actions(QMainWindow& window)
     , standardTimes(make("standardTimes", u""))
     , dressing(make("dressing", u""))
     , calibrate(make("calibrate", u"gauge"))
+    , countedWaves(make("countedWaves", u""))
     , lessons(make("lessons", u"examples"))
     , previousStep(make("previousStep", u"back", Qt::CTRL | Qt::ALT | Qt::Key_Left))
     , nextStep(make("nextStep", u"forward", Qt::CTRL | Qt::ALT | Qt::Key_Right))
@@ -204,7 +205,7 @@ void Actions::buildPartMenu(QMenuBar& bar) {
 
 void Actions::buildStudyMenu(QMenuBar& bar) {
     m_study = bar.addMenu(QString());
-    m_study->addAction(calibrate);
+    m_study->addActions({calibrate, countedWaves});
 }
 
 void Actions::buildLessonMenu(QMenuBar& bar) {
@@ -371,6 +372,7 @@ void Actions::retranslate() {
     standardTimes->setText(tr("&Standard times and wheel wear…"));
     dressing->setText(tr("Parts &between dressings…"));
     calibrate->setText(tr("&Calibrate from measurements…"));
+    countedWaves->setText(tr("Causes of &waves on a part…"));
     m_view->setTitle(tr("&View"));
     m_help->setTitle(tr("&Help"));
     m_new->setTitle(tr("&New"));

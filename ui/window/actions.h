@@ -100,8 +100,9 @@ public:
     QAction* wholePart;
     QAction* standardTimes;
     QAction* dressing;
-    QAction* calibrate; ///< calibrates from measurements
-    QAction* lessons;   ///< shipped lessons
+    QAction* calibrate;    ///< calibrates from measurements
+    QAction* countedWaves; ///< what can have left them
+    QAction* lessons;      ///< shipped lessons
     QAction* previousStep;
     QAction* nextStep;
     QAction* leaveLesson;

@@ -46,6 +46,7 @@
 #include "ui/window/dialogs/report_commands.h"
 #include "ui/window/dialogs/report_output.h"
 #include "ui/window/dialogs/step_sheet.h"
+#include "ui/window/dialogs/waves_dialog.h"
 #include "ui/window/edit_notices.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
@@ -306,6 +307,10 @@ void MainWindow::connectActions() {
         if (!done.isEmpty()) {
             m_status->showForAWhile(done);
         }
+    });
+    on(m_actions->countedWaves, [this] {
+        m_inputs->endTyping();
+        WavesDialog(m_document.project(), m_settings, this).exec();
     });
     on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });

@@ -44,10 +44,11 @@ private slots:
     }
 
     void theTestTellsTheCausesApart() {
-        for (const double counted : {8.0, 33.0, 70.0, 400.0}) {
+        for (const int count : {8, 33, 70, 400}) {
+            const double counted = count;
             const Project project = turning(counted * 60, 60);
-            const WaveTest test = waveTest(project, counted);
-            const std::vector<WaveCause> causes = waveCauses(project, {counted, {counted}});
+            const WaveTest test = waveTest(project, count);
+            const std::vector<WaveCause> causes = waveCauses(project, {count, {counted}});
             const WaveCause* const wheel = causeOf(causes, WaveSource::wheel);
             const WaveCause* const other = causeOf(causes, WaveSource::frequency);
             QVERIFY(wheel && other);
