@@ -222,6 +222,11 @@ std::string constraintLine(const ConstraintResult& constraint) {
                + (isOpen(constraint) ? "not decided" : metText(constraint.holds)) + " in "
                + whereText(constraint, First::inTexts) + '\n';
     }
+    if (!isComputed(constraint)) {
+        return name + "not known, " + fixed(constraint.limit, decimals) + ' ' + unit
+               + "  not decided in " + whereText(constraint, First::inTexts)
+               + unknownText(constraint) + '\n';
+    }
     const std::string value = fixed(constraint.value, decimals);
     const std::string limit = fixed(constraint.limit, decimals);
     const std::string margin = fixed(constraint.margin, decimals);

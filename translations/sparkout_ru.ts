@@ -17406,6 +17406,10 @@ target, µm</source>
             <translation>Ra, оценка</translation>
         </message>
         <message>
+            <source>runout of the wheel not known</source>
+            <translation>биение круга не известно</translation>
+        </message>
+        <message>
             <source>machine not known</source>
             <translation>без погрешности станка</translation>
         </message>

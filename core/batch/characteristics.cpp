@@ -106,10 +106,11 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
     for (const ConstraintResult& constraint : constraints) {
         if (constraint.kind == row->kind
             && (characteristic.section < 0 || constraint.section == characteristic.section)) {
+            if (!isComputed(constraint) && !constraint.mostValue) {
+                continue; // the runout of the wheel is not known
+            }
             // Waves that the radii of a part do not resolve count as the highest possible.
-            const double stated = row->kind == ConstraintKind::waviness
-                                      ? constraint.mostValue.value_or(constraint.value)
-                                      : constraint.value;
+            const double stated = isComputed(constraint) ? constraint.value : *constraint.mostValue;
             const double value =
                 isRelative(*row) ? wholeLimit * (1 - constraint.relativeMargin) : stated;
             worst = std::isnan(worst) ? value : std::max(worst, value);

@@ -15,6 +15,7 @@
 #include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
+#include "core/quality/verdict.h"
 #include "core/simulation/simulate.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -254,8 +255,8 @@ private:
     }
 
     static SweepValue valueOf(const ConstraintResult& constraint) {
-        if (!constraint.isWhole) {
-            return {}; // strips stay uncut
+        if (!constraint.isWhole || !isComputed(constraint)) {
+            return {}; // strips stay uncut, or waves are not resolved
         }
         SweepValue value{constraint.value};
         (constraint.isLeast ? value.low : value.high) = constraint.limit;
@@ -270,9 +271,9 @@ private:
         point.good = true;
         std::optional<double> least;
         for (const ConstraintResult& constraint : m_constraints) {
-            point.good = point.good && constraint.holds;
+            point.good = point.good && isSure(constraint);
             if (requirementOf(constraint.kind).scope != ConstraintScope::setting
-                && constraint.isWhole) {
+                && constraint.isWhole && isComputed(constraint)) {
                 least =
                     std::min(least.value_or(constraint.relativeMargin), constraint.relativeMargin);
             }

@@ -418,7 +418,7 @@ const StructInfo& tableOf<Part>() {
                        .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, radii_per_section, .label = SPARKOUT_NOOP("Input", "Radii per section"),
-            .symbol = "K", .hard = {4, mostRadii}, .soft = {12, 360}, .page = Page::part,
+            .symbol = "K", .hard = {4, mostRadii}, .soft = {12, 1200}, .page = Page::part,
             .hint = SPARKOUT_NOOP(
                 "Input", "Radii followed in each cross-section at equal angles, an even number."),
             .formula = "φ_k = 2π·k/K", .source = "MODEL-4"),

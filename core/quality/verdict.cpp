@@ -132,8 +132,12 @@ bool isOpen(const ConstraintResult& constraint) {
 }
 
 bool isSure(const ConstraintResult& constraint) {
-    return constraint.holds
-           && !(constraint.kind == ConstraintKind::waviness && isOpen(constraint));
+    return constraint.holds && !(constraint.kind == ConstraintKind::waviness && isOpen(constraint));
+}
+
+bool isComputed(const ConstraintResult& constraint) {
+    return constraint.kind != ConstraintKind::waviness
+           || (constraint.knowsMachine && !constraint.mostValue);
 }
 
 bool isLowerBound(const ConstraintResult& constraint) {

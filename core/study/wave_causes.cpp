@@ -98,6 +98,9 @@ std::vector<WaveCause> waveCauses(const Project& project, const WaveInquiry& ask
                     {source, frequency_hz, lobes, q, waves, waves * work, waves * other});
                 return; // more turns leave as many waves only by chance
             }
+            if (std::abs(waves - std::round(waves)) <= nearRatio) {
+                return; // further turns meet the waves of these
+            }
         }
     };
     for (int lobes = 1; lobes <= mostLobes; ++lobes) {

@@ -2,8 +2,10 @@
 #include "ui/results/verdict_table.h"
 
 #include "core/process/profile.h"
+#include "core/process/wheel_wave.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/units.h"
@@ -176,8 +178,9 @@ QString lightName(const ConstraintResult& constraint) {
     if (!constraint.isWhole) {
         return VerdictTable::tr("not known: strips uncut");
     }
-    return isLowerBound(constraint) ? VerdictTable::tr("machine not known")
-                                    : lightName(lightOf(constraint));
+    return !isLowerBound(constraint) ? lightName(lightOf(constraint))
+           : isComputed(constraint)  ? VerdictTable::tr("machine not known")
+                                     : VerdictTable::tr("runout of the wheel not known");
 }
 
 namespace {

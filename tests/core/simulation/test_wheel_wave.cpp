@@ -6,7 +6,8 @@
 
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_statistics.h"
-#include "core/batch/factor_law.h"
+#include "core/batch/scenario_source.h"
+#include "core/batch/sweep_run.h"
 #include "core/batch/usual_batch.h"
 #include "core/project/validate.h"
 #include "core/quality/accuracy_limit.h"
@@ -310,6 +311,40 @@ private slots:
         p.wheel->runout.reset();
         QVERIFY(wavesIn(runOf(p)).is_null()); // not known, and so never 0.00
         QVERIFY(lightOf(rowOf(runOf(p))) == Light::undecided);
+    }
+
+    /// Where the radii do not resolve the waves, or the runout is not given, there is no value in a
+    /// sweep or a batch.
+    void wavesThatAreNotKnownAreNoZero() {
+        Project p = shaft(8, 94, 10);
+        p.part->tolerance.waviness_um = 0.9;
+        p.sweep =
+            Sweep{{{.input = "/machine/work_speed_rpm", .from = 200, .to = 220, .points = 2}}};
+        const SweepResult swept = runSweep(p);
+        const auto column = std::ranges::find(swept.quantities, "waviness", &SweepQuantity::name)
+                            - swept.quantities.begin();
+        const auto at = [&](std::size_t point) {
+            return swept.points[point].values[static_cast<std::size_t>(column)];
+        };
+        QVERIFY(std::isnan(at(0).value) && std::isnan(at(0).margin) && !swept.points[0].good);
+        QVERIFY(at(1).value < 0.9 && at(1).margin > 0 && swept.points[1].good); // 7.27 a turn
+        const auto batchOf = [](const Project& project) {
+            const std::vector<Characteristic> all = characteristicsOf(project);
+            const auto row = std::ranges::find_if(all, [](const Characteristic& each) {
+                return each.requirement && each.requirement->kind == ConstraintKind::waviness;
+            });
+            const auto i = static_cast<std::size_t>(row - all.begin());
+            return runBatch(project).statistics.values.at(i);
+        };
+        p.batch = Batch{};
+        p.batch->parts = 3;
+        for (const double height : batchOf(p)) { // the highest that are possible
+            QCOMPARE(height, 2 * amplitude_um);
+        }
+        p.wheel->runout.reset();
+        for (const double height : batchOf(p)) {
+            QVERIFY(std::isnan(height));
+        }
     }
 
     void wavinessLeavesOutTheLowerOrders() {

@@ -72,6 +72,11 @@ private slots:
                      * causeOf(causes, WaveSource::wheel)->lobes,
                  2);
         QVERIFY(!causeOf(causes, WaveSource::wheelHead));
+        // At 35 a turn two turns leave 35, not 70: that takes two waves around the wheel.
+        const auto wholes = waveCauses(turning(1400, 40), {70, {}});
+        QCOMPARE(wholes.size(), 2U);
+        QCOMPARE(wholes.front().lobes, 2);
+        QCOMPARE(wholes.front().turns, 1);
         project.machine->wheel_head_frequency_hz = 200; // 120 a turn
         QVERIFY(causeOf(waveCauses(project, {120, {}}), WaveSource::wheelHead));
     }

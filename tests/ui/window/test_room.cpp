@@ -124,7 +124,7 @@ Project gridProject(bool travels) {
 /// A project of the operation whose feed every limit bounds.
 Project boundProject(bool travels) {
     Project project = exampleProject(travels ? "shaft-30h6-factory" : "plunge-accuracy-limit");
-    project.part->tolerance = {4, 6, 5, 8, 0.8};
+    project.part->tolerance = {4, 6, 5, 8, 0.8, {}};
     project.wheel->roughness_factor = 1.5; // calibrated
     project.wheel->grain_surface_energy_j_m2 = 20;
     project.wheel->grain_modulus_gpa = 400;
