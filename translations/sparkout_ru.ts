@@ -3197,6 +3197,18 @@ axial feed, mm/min</source>
             <translation>Вал 38,74h6, заводской цикл</translation>
         </message>
         <message>
+            <source>Waves that no spark-out removes</source>
+            <translation>Волны, которых не убирает выхаживание</translation>
+        </message>
+        <message>
+            <source>Seventy waves counted on a roll</source>
+            <translation>Семьдесят волн на валике</translation>
+        </message>
+        <message>
+            <source>Roll 160h6</source>
+            <translation>Валик 160h6</translation>
+        </message>
+        <message>
             <source>Slender shaft with a soft middle</source>
             <translation>Нежёсткий вал с податливой серединой</translation>
         </message>

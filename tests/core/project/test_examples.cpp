@@ -11,10 +11,12 @@
 #include "core/quality/limit_series.h"
 #include "core/quality/result_names.h"
 #include "core/quality/run_summary.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/simulation/cycle_loop.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/traverse.h"
 #include "core/study/new_project.h"
+#include "core/study/wave_causes.h"
 #include "tests/whole_project.h"
 
 #include "tests/registry.h"
@@ -132,7 +134,8 @@ private slots:
              {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-calibrated",
               "shaft-30h6-factory", "shaft-30h6-measured", "shaft-30h6-slender",
               "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft", "spark-out-until-size",
-              "starting-cycle-35k6", "wheel-dull", "wheel-sharp"}) {
+              "starting-cycle-35k6", "waves-of-the-wheel", "seventy-waves", "wheel-dull",
+              "wheel-sharp"}) {
             QVERIFY2(m_results.contains(name), name);
         }
     }
@@ -275,6 +278,29 @@ private slots:
         const double last = group.cuts.back().depth_mm;
         QVERIFY(last <= limit->lastCut_mm && last > 0.6 * limit->lastCut_mm);
         QVERIFY(last < accuracyLimit(accurate, series, group, AccuracyProof::proved)->lastCut_mm);
+    }
+
+    /// What the notes of the two examples say of their waves.
+    void wavesStayAtAWholeRatioAndGoOffIt() {
+        const auto height = [](const Project& project) {
+            return profileWaves(simulate(project), 0).height_mm * 1000;
+        };
+        Project shaft = project("waves-of-the-wheel");
+        QVERIFY(std::abs(height(shaft) - 1) < 0.02);
+        shaft.cycle->stages.back().sparkOutFor(200);
+        QVERIFY(std::abs(height(shaft) - 1) < 0.02);
+        shaft.cycle->stages.back().sparkOutFor(20);
+        shaft.machine->work_speed_rpm = 193;
+        QVERIFY(std::abs(height(shaft) - 0.06) < 0.005);
+        Project roll = project("seventy-waves");
+        QCOMPARE(orderOfWaves(roll), 70);
+        QVERIFY(std::abs(height(roll) - 0.6) < 0.05);
+        QVERIFY(height(roll) > *roll.part->tolerance.waviness_um);
+        roll.machine->work_speed_rpm += 5;
+        QVERIFY(height(roll) < *roll.part->tolerance.waviness_um);
+        const std::vector<WaveCause> causes = waveCauses(project("seventy-waves"), {70, {46.7}});
+        QCOMPARE(causes.size(), std::size_t{3}); // the wheel, the motor, the work
+        QCOMPARE(causes.front().lobes, 2);
     }
 
     void theOptimalCycleOfTheThesisIsFasterThanTheFactoryCycle() {
