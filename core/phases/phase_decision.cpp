@@ -436,9 +436,8 @@ PhaseDecision decidePhases(const Project& project, StockRange range, const std::
         decision.hasTooMany = other.hasTooMany;
         decision.failing.insert(decision.failing.end(), other.failing.begin(), other.failing.end());
     }
-    std::ranges::stable_sort(decision.failing, {}, [](const FailingStocks& each) {
-        return each.stocks.from_mm;
-    });
+    std::ranges::stable_sort(decision.failing, {},
+                             [](const FailingStocks& each) { return each.stocks.from_mm; });
     return decision;
 }
 

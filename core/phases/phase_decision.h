@@ -116,8 +116,9 @@ struct PhaseDecision {
     bool isDecided = false;
     bool hasTooMany = false; ///< there are more pieces than allowed
     StockRange range;
-    std::vector<DecidedPiece> pieces;   ///< in rising order, over the whole range
-    /// In rising order, of several phases of the wheel overlapping; empty: it is fit for every stock
+    std::vector<DecidedPiece> pieces; ///< in rising order, over the whole range
+    /// In rising order, of several phases of the wheel overlapping; empty: it is fit for every
+    /// stock
     std::vector<FailingStocks> failing;
     [[nodiscard]] bool holds() const { return isDecided && failing.empty(); }
     /// Returns the failing ranges, whatever the reason, in rising order and joined where adjacent.
@@ -137,8 +138,9 @@ struct PhaseDecision {
 [[nodiscard]] DecidedPiece decidePiece(const Project& project, PhasePiece piece,
                                        const std::stop_token& stop = {});
 
-/// How many angles ψ_0 of a wheel out of true, evenly over the turn, every stock is decided for; the
-/// pieces are those of the stated one. It turns the waves of a round blank, and leaves their height.
+/// How many angles ψ_0 of a wheel out of true, evenly over the turn, every stock is decided for;
+/// the pieces are those of the stated one. It turns the waves of a round blank, and leaves their
+/// height.
 inline constexpr int phasesOfWheel = 4;
 
 /// Decides whether the project's cycle meets every requirement for each stock of a range, with its

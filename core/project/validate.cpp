@@ -323,8 +323,7 @@ private:
             const int inZone = project().operation->travels ? project().zone_sections : 1;
             const int most = mostRadiiOfPart / (placeCount(project()) * inZone) / 2 * 2;
             if (part.radii_per_section > most) {
-                add(IssueCode::outOfRange, "/part/radii_per_section",
-                    Count{part.radii_per_section},
+                add(IssueCode::outOfRange, "/part/radii_per_section", Count{part.radii_per_section},
                     Bounds{{radii.hard.low, 1.0 * std::min(most, mostRadii)},
                            {},
                            project().operation->travels ? "/zone_sections" : "/sections"});

@@ -120,9 +120,8 @@ void evaluateWaviness(ConstraintKind kind, const Judged& of, ConstraintResults& 
         const Project& project = of.result.project;
         const bool isResolved = areWavesKnown(project);
         const double height_mm =
-            isResolved
-                ? profileWaves(of.result, static_cast<std::size_t>(of.section)).height_mm
-                : 0;
+            isResolved ? profileWaves(of.result, static_cast<std::size_t>(of.section)).height_mm
+                       : 0;
         addTolerance(kind, of, *limit, height_mm, found);
         if (project.wheel->runout && !isResolved) {
             // No radius is deeper or less deep than with a wheel that stands e nearer or farther.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/surface/waviness.h"
 #include "core/project/project.h"
 #include "core/result.h"
 #include "core/simulation/result.h"
+#include "core/surface/waviness.h"
 
 #include <cstddef>
 #include <optional>

@@ -418,8 +418,7 @@ FreshPartsTrial triedOnOthers(const Project& project, const RefineSummary& found
         if (result.status == RunStatus::stopped) {
             return {};
         }
-        if (result.status != RunStatus::completed
-            || !std::ranges::all_of(all, isSure)) {
+        if (result.status != RunStatus::completed || !std::ranges::all_of(all, isSure)) {
             return {std::move(scenario), {}};
         }
     }

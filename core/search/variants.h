@@ -5,9 +5,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <utility>
-#include <optional>
 #include <vector>
 
 namespace sparkout {

@@ -344,12 +344,10 @@ private slots:
                 }
             }
         }
-        const std::map<QString, manual::Kind> asked{{"integer", manual::Kind::integer},
-                                                    {"integers", manual::Kind::integers},
-                                                    {"number", manual::Kind::number},
-                                                    {"numbers", manual::Kind::numbers},
-                                                    {"has", manual::Kind::none},
-                                                    {"text", manual::Kind::none}};
+        const std::map<QString, manual::Kind> asked{
+            {"integer", manual::Kind::integer}, {"integers", manual::Kind::integers},
+            {"number", manual::Kind::number},   {"numbers", manual::Kind::numbers},
+            {"has", manual::Kind::none},        {"text", manual::Kind::none}};
         static const QRegularExpression question(R"re(\b(\w+)\(\s*"(--?[a-z][a-z-]*)"\))re");
         int questions = 0;
         QDirIterator files(SPARKOUT_SOURCE_DIR "/app", {"*.cpp"}, QDir::Files,

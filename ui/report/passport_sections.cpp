@@ -94,11 +94,11 @@ QString inNineDigits(double value) {
 Facts PassportInputs::drawing(const Project& project) {
     Facts facts{{inputFact(project, "/part/upper_deviation_um"),
                  inputFact(project, "/part/lower_deviation_um")}};
-    for (const char* path : {"/part/target_diameter_mm", "/part/tolerance/radial_runout_um",
-                             "/part/tolerance/roundness_um", "/part/tolerance/cylindricity_um",
-                             "/part/tolerance/total_runout_um", "/part/tolerance/waviness_um",
-                             "/part/tolerance/roughness_ra_um",
-                             "/machine/wheel_drive_kw", "/machine/work_drive_kw"}) {
+    for (const char* path :
+         {"/part/target_diameter_mm", "/part/tolerance/radial_runout_um",
+          "/part/tolerance/roundness_um", "/part/tolerance/cylindricity_um",
+          "/part/tolerance/total_runout_um", "/part/tolerance/waviness_um",
+          "/part/tolerance/roughness_ra_um", "/machine/wheel_drive_kw", "/machine/work_drive_kw"}) {
         const ConstMember member = findMember(project, path);
         auto [name, value] = inputFact(project, path);
         const bool given = numberIn(*member.field, member.owner).has_value();
