@@ -37,7 +37,7 @@ QString causeText(const WaveCause& cause) {
 }
 
 /// The first output, the source, as a text, the others but its number as they are.
-ValueTable tableOf(const std::vector<WaveCause>& causes) {
+ValueTable causesTable(const std::vector<WaveCause>& causes) {
     ValueTable table{.isList = true};
     const auto isShown = [](const Output<WaveCause>& row) {
         const std::string_view key = row.key;
@@ -119,7 +119,7 @@ void WavesDialog::find() {
     const WaveInquiry asked{static_cast<int>(m_count->value().value_or(fewestWaves)),
                             frequencies.inOrder()};
     m_causes = waveCauses(m_project, asked);
-    m_model->setTable(tableOf(m_causes));
+    m_model->setTable(causesTable(m_causes));
     const WaveTest test = waveTest(m_project, asked.counted);
     m_test->setText(tr("The part turns with %1 rev/min, the wheel with %2. Other work speed: %3 "
                        "rev/min; other wheel speed: %4 rev/min.")
