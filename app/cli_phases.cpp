@@ -10,6 +10,7 @@
 #include "core/printable.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/quality/requirement.h"
 #include "core/quality/result_names.h"
 #include "core/units.h"
@@ -71,11 +72,13 @@ std::string phasesText(const Project& project, const PhaseDecision& decision) {
         text += pieceText(project, each);
     }
     if (decision.holds()) {
-        return text + fitForStocks(true, rangeText(decision.range)) + '\n';
+        return text + fitForStocks(true, rangeText(decision.range))
+               + (project.wheel->runout ? ", at four angles of the wheel" : "") + '\n';
     }
     for (const FailingStocks& each : decision.failing) {
-        text += fitForStocks(false, rangeText(each.stocks)) + ": "
-                + whyText(each.status, each.worst) + '\n';
+        text += fitForStocks(false, rangeText(each.stocks))
+                + (each.wheel_deg ? " with the wheel at " + fixed(*each.wheel_deg, 0) + "°" : "")
+                + ": " + whyText(each.status, each.worst) + '\n';
     }
     return text;
 }

@@ -137,13 +137,9 @@ std::string um(double value_mm) {
     return fixed(value_mm * units::umPerMm, 3);
 }
 
-std::string wavesText(const PlaceWaves& of) {
-    const Harmonic* const largest = of.largest();
-    return largest
-               ? "waviness " + um(of.waves->height_mm) + ", most of order "
-                     + std::to_string(largest->lobes) + ", amplitude " + um(largest->amplitude_mm)
-               : "waviness not decided: at least " + std::to_string(of.radiiNeeded)
-                     + " radii a section";
+std::string wavesText(const Harmonic& largest, double height_mm) {
+    return "waviness " + um(height_mm) + ", most of order " + std::to_string(largest.lobes)
+           + ", amplitude " + um(largest.amplitude_mm);
 }
 
 std::string accuracyText(const SimulationResult& result, const PartAccuracy& accuracy) {
@@ -165,8 +161,8 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
             text += padded("") + um(result.ifEven[i].least_mm) + ", " + um(result.ifEven[i].most_mm)
                     + " with an even number of lobes\n";
         }
-        if (const std::optional<PlaceWaves> waves = placeWaves(result, i)) {
-            text += padded("") + wavesText(*waves) + '\n';
+        if (const auto of = placeWaves(result, i); of && of->largest()) {
+            text += padded("") + wavesText(*of->largest(), of->waves->height_mm) + '\n';
         }
     }
     for (std::size_t i = 0; i < accuracy.zones.size(); ++i) {

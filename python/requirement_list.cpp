@@ -14,10 +14,11 @@ py::list requirementList(const std::vector<ConstraintResult>& constraints) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     py::list list;
     for (const ConstraintResult& each : constraints) {
+        const bool isKnown = each.isWhole && isComputed(each);
         list.append(py::dict("name"_a = requirementOf(each.kind).key, "where"_a = whereText(each),
                              "unit"_a = requirementOf(each.kind).unit, "holds"_a = each.holds,
-                             "value"_a = each.isWhole ? each.value : none, "limit"_a = each.limit,
-                             "margin"_a = each.isWhole ? each.margin : none,
+                             "value"_a = isKnown ? each.value : none, "limit"_a = each.limit,
+                             "margin"_a = isKnown ? each.margin : none,
                              "machine_known"_a = each.knowsMachine));
     }
     return list;

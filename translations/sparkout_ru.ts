@@ -2047,14 +2047,6 @@
             <translation>Число по окружности детали: по отношению частот вращения круга и заготовки и числу волн круга.</translation>
         </message>
         <message>
-            <source>Radii that resolve the waves</source>
-            <translation>Радиусов для разрешения волн</translation>
-        </message>
-        <message>
-            <source>Twelve for each wave; with fewer radii the waviness is not decided.</source>
-            <translation>Двенадцать на волну; при меньшем числе радиусов волнистость не определена.</translation>
-        </message>
-        <message>
             <source>Source of the waves</source>
             <translation>Источник волн</translation>
         </message>
@@ -2832,6 +2824,14 @@ axial feed, mm/min</source>
     </context>
     <context>
         <name>OperationSetup</name>
+        <message>
+            <source>Work speed varied</source>
+            <translation>Изменение частоты вращения заготовки</translation>
+        </message>
+        <message>
+            <source>±%1 % in %2 s</source>
+            <translation>±%1 % за %2 с</translation>
+        </message>
         <message>
             <source>Cylindrical traverse grinding</source>
             <translation>Круглошлифовальная</translation>
@@ -6636,8 +6636,8 @@ With another name both versions stay as they are.</source>
             <translation>Отличие отношения частот от целого</translation>
         </message>
         <message>
-            <source>any rotation ratio</source>
-            <translation>любое отношение</translation>
+            <source>any; 0.05 if work speeds are searched and the wheel's runout is not given</source>
+            <translation>любое; 0,05, если частота вращения заготовки ищется, а биение круга не задано</translation>
         </message>
         <message>
             <source>Minimum distance of n_k/n, the revolutions of the wheel for one of the work, from a whole number: the search leaves out work speeds that are nearer to one, at which waves of the wheel print onto one another.</source>
@@ -7802,8 +7802,8 @@ With another name both versions stay as they are.</source>
             <translation>число граней неизвестно: чётное разводит диаметры на {value} при поле {limit}; оценка — как при нечётном</translation>
         </message>
         <message>
-            <source>{value} radii do not resolve the waves that the wheel prints, and the waviness is not decided; needed: {limit}</source>
-            <translation>при числе радиусов {value} волны от круга не видны, волнистость не определена; нужно: {limit}</translation>
+            <source>{value} radii do not resolve the waves that the wheel prints; needed: {limit}</source>
+            <translation>при числе радиусов {value} волны от круга не видны; нужно: {limit}</translation>
         </message>
 </context>
     <context>
@@ -11879,10 +11879,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The runout of the wheel is not given, so the waves it prints are not known.</source>
             <translation>Биение круга не задано, поэтому волны от него не известны.</translation>
-        </message>
-        <message>
-            <source>%1 radii do not resolve the waves of the wheel; %2 are needed.</source>
-            <translation>%1 радиусов не хватает, чтобы различить волны от круга; нужно %2.</translation>
         </message>
         <message>
             <source>A wheel with an amplitude of %1 µm prints %2 waves around the part. A work speed at which the ratio of the speeds is not near to a whole number leaves less of them.</source>
@@ -16906,6 +16902,10 @@ target, µm</source>
     <context>
         <name>sparkout::PhaseBar</name>
         <message>
+            <source>Decided at four angles of the wheel, which runs out of true.</source>
+            <translation>Решено при четырёх положениях круга, имеющего биение.</translation>
+        </message>
+        <message>
             <source>The upper end of the range must lie above the lower end: it begins at %1 mm and ends at %2 mm.</source>
             <translation>Диапазон должен возрастать: он начинается с %1 мм и кончается на %2 мм.</translation>
         </message>
@@ -17559,10 +17559,6 @@ target, µm</source>
         <message>
             <source>{name}: machine not known</source>
             <translation>{name}: погрешность станка не задана</translation>
-        </message>
-        <message>
-            <source>{name}: too few radii</source>
-            <translation>{name}: мало радиусов</translation>
         </message>
     </context>
     <context>
@@ -21292,7 +21288,7 @@ s</source>
         </message>
         <message>
             <source>The part turns with %1 rev/min, the wheel with %2. Other work speed: %3 rev/min; other wheel speed: %4 rev/min.</source>
-            <translation>Деталь вращается с частотой %1 об/мин, круг — %2. Другая частота вращения детали: %3 об/мин; другая частота вращения круга: %4 об/мин.</translation>
+            <translation>Деталь вращается с частотой %1 об/мин, круг — %2. Другая частота вращения заготовки: %3 об/мин; другая частота вращения круга: %4 об/мин.</translation>
         </message>
     </context>
     <context>

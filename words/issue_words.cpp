@@ -254,8 +254,7 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::wavesUnresolved:
         return {"waves_unresolved",
                 SPARKOUT_NOOP("Issue", "{value} radii do not resolve the waves that the wheel "
-                                       "prints, and the waviness is not decided; needed: "
-                                       "{limit}")};
+                                       "prints; needed: {limit}")};
     case IssueCode::noSuchNumber:
         return {"no_such_number",
                 SPARKOUT_NOOP("Issue", "{value} is not a number of the project; needed: {limit}")};

@@ -310,7 +310,6 @@ std::string JudgementWording::notDecided(const Undecided& undecided) const {
             return SPARKOUT_NOOP("Judgement", "{name}: not calibrated");
         case UndecidedReason::inputMissing:
             return SPARKOUT_NOOP("Judgement", "{name}: input missing");
-        case UndecidedReason::fewRadii: return SPARKOUT_NOOP("Judgement", "{name}: too few radii");
         case UndecidedReason::machineNotKnown: break;
         }
         return SPARKOUT_NOOP("Judgement", "{name}: machine not known");

@@ -5,7 +5,6 @@
 #include "core/quality/constraints.h"
 #include "core/quality/ranges.h"
 #include "core/quality/roughness.h"
-#include "core/quality/verdict.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -106,13 +105,11 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
     for (const ConstraintResult& constraint : constraints) {
         if (constraint.kind == row->kind
             && (characteristic.section < 0 || constraint.section == characteristic.section)) {
-            if (!isComputed(constraint) && !constraint.mostValue) {
-                continue; // the runout of the wheel is not known
+            if (!isComputed(constraint)) {
+                continue;
             }
-            // Waves that the radii of a part do not resolve count as the highest possible.
-            const double stated = isComputed(constraint) ? constraint.value : *constraint.mostValue;
             const double value =
-                isRelative(*row) ? wholeLimit * (1 - constraint.relativeMargin) : stated;
+                isRelative(*row) ? wholeLimit * (1 - constraint.relativeMargin) : constraint.value;
             worst = std::isnan(worst) ? value : std::max(worst, value);
         }
     }
@@ -157,12 +154,12 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
     outcome.good = true;
     outcome.margin = std::numeric_limits<double>::max();
     for (const ConstraintResult& constraint : constraints) {
-        outcome.good = outcome.good && isSure(constraint);
+        outcome.good = outcome.good && constraint.holds;
         outcome.asked[static_cast<std::size_t>(constraint.kind)] = true;
         if (!constraint.isWhole) {
             continue; // not known: the overlap requirement fails
         }
-        if (!isSure(constraint)) {
+        if (!constraint.holds) {
             outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;
         }
         const bool strips = constraint.kind == ConstraintKind::overlap && !constraint.holds;

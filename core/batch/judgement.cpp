@@ -40,10 +40,6 @@ std::optional<Undecided> undecidedOf(const Requirement& row, const Project& proj
     if (row.kind == ConstraintKind::waviness && !project.wheel->runout) {
         return Undecided{row.kind, UndecidedReason::inputMissing, "/wheel/runout"};
     }
-    if (isPrinted(row.kind) && project.wheel->runout && !areWavesKnown(project)
-        && !(row.kind == ConstraintKind::waviness && isDecided(row.kind, constraints))) {
-        return Undecided{row.kind, UndecidedReason::fewRadii, "/part/radii_per_section"};
-    }
     if (!knowsMachine(row.kind, project)) {
         return Undecided{row.kind, UndecidedReason::machineNotKnown, "/machine/form"};
     }
@@ -67,9 +63,7 @@ JudgedStocks judgedStocks(const PhaseDecision& decision) {
     for (const DecidedPiece& piece : decision.pieces) {
         for (const auto* end : {&piece.low.constraints, &piece.high.constraints}) {
             keepWorst(stocks.worst, *end);
-            stocks.hasOpenEstimate |= std::ranges::any_of(*end, [](const ConstraintResult& each) {
-                return each.kind == ConstraintKind::roughness && isOpen(each);
-            });
+            stocks.hasOpenEstimate |= std::ranges::any_of(*end, isOpen);
         }
         if (piece.piece.status != RunStatus::completed) {
             stocks.status = piece.piece.status;
@@ -133,7 +127,7 @@ JudgedState stateOf(const Judgement& of, bool nominalFails, bool hasBatch) {
 constexpr Output<Undecided> undecidedRows[] = {
     {{.key = "name", .hint = "of the requirement"},
      [](const Undecided& u) { return std::string(requirementOf(u.kind).key); }},
-    {{.key = "why", .hint = "not_calibrated, input_missing, machine_not_known or few_radii"},
+    {{.key = "why", .hint = "not_calibrated, input_missing or machine_not_known"},
      [](const Undecided& u) { return std::string(reasonKey(u.reason)); }},
     {{.key = "input", .hint = "JSON pointer of the input that decides it"},
      [](const Undecided& u) { return u.path; }},
@@ -146,7 +140,7 @@ std::span<const Output<Undecided>> undecidedOutputs() {
 }
 
 const char* reasonKey(UndecidedReason reason) {
-    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known", "few_radii"};
+    constexpr std::array keys{"not_calibrated", "input_missing", "machine_not_known"};
     return keys[static_cast<std::size_t>(reason)];
 }
 

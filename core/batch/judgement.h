@@ -22,10 +22,9 @@ namespace sparkout {
 
 /// Reason why a requirement cannot be decided.
 enum class UndecidedReason {
-    notCalibrated,   ///< the value is an estimate whose range contains the limit
-    inputMissing,    ///< only some of the inputs of its limit are given
-    machineNotKnown, ///< its value does not include the machine's own form
-    fewRadii         ///< the radii do not resolve its waves
+    notCalibrated,  ///< the value is an estimate whose range contains the limit
+    inputMissing,   ///< only some of the inputs of its limit are given
+    machineNotKnown ///< its value does not include the machine's own form
 };
 /// Returns the key of a reason in files: "not_calibrated".
 [[nodiscard]] const char* reasonKey(UndecidedReason reason);

@@ -134,7 +134,8 @@ FactorEnds cornerEnds(const GivenFactor& factor) {
                            : law.triangular ? *law.triangular
                            : law.measured   ? *law.measured
                                             : *law.grows;
-        return {ends.front(), ends.back()};
+        const bool isTurn = factor.kind == FactorKind::wheelPhase; // whose ends are one angle
+        return {ends.front(), isTurn ? (ends.front() + ends.back()) / 2 : ends.back()};
     }
     const double m = (*factor.law.normal)[0], s = (*factor.law.normal)[1];
     const FactorEnds ends = truncation(factor);

@@ -15,7 +15,6 @@
 #include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
-#include "core/quality/verdict.h"
 #include "core/simulation/simulate.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -256,7 +255,7 @@ private:
 
     static SweepValue valueOf(const ConstraintResult& constraint) {
         if (!constraint.isWhole || !isComputed(constraint)) {
-            return {}; // strips stay uncut, or waves are not resolved
+            return {}; // strips stay uncut, or the wheel is not known
         }
         SweepValue value{constraint.value};
         (constraint.isLeast ? value.low : value.high) = constraint.limit;
@@ -271,7 +270,7 @@ private:
         point.good = true;
         std::optional<double> least;
         for (const ConstraintResult& constraint : m_constraints) {
-            point.good = point.good && isSure(constraint);
+            point.good = point.good && constraint.holds;
             if (requirementOf(constraint.kind).scope != ConstraintScope::setting
                 && constraint.isWhole && isComputed(constraint)) {
                 least =
@@ -447,6 +446,7 @@ void putSweptValues(Project& project, const std::vector<SweepAxis>& axes,
             setNumberInput(project, axes[i].input, values[i]);
         }
     }
+    resolveWaves(project);
 }
 
 SweepResult runSweep(const Project& project, const SweepOptions& options) {

@@ -192,8 +192,7 @@ bool burns(const Project& project, const PhasePiece& piece, double stock_mm,
               });
 }
 
-} // namespace
-
+/// At the angle of the wheel that the project states.
 std::optional<double> failingStock_mm(const Project& project, StockRange range,
                                       const std::stop_token& stop) {
     Project part = project;
@@ -231,6 +230,21 @@ std::optional<double> failingStock_mm(const Project& project, StockRange range,
         return std::nullopt;
     }
     return suspects.stock_mm(part, stop);
+}
+
+} // namespace
+
+std::optional<Project> failingStock(const Project& project, StockRange range,
+                                    const std::stop_token& stop) {
+    std::vector<Project> parts = atOtherWheelPhases(project);
+    parts.insert(parts.begin(), project);
+    for (Project& part : parts) {
+        if (const auto stock_mm = failingStock_mm(part, range, stop)) {
+            part.part->stock_mm = *stock_mm;
+            return std::move(part);
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace sparkout

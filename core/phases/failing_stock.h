@@ -8,8 +8,9 @@
 
 namespace sparkout {
 
-/// Returns a stock of the range [mm] for which the project's cycle fails, near the worst one;
-/// nullopt if the cycle is fit for every stock, or after a stop. The project must be valid and its
+/// Returns the project with a stock of the range for which its cycle fails, near the worst one, and
+/// of a wheel out of true with its angle; nullopt if the cycle is fit for every stock, or after a
+/// stop. The project must be valid and its
 /// phases decidable.
 ///
 /// The answer is that of decidePhases(), at a fraction of its cost. The pieces share the runs of
@@ -25,7 +26,7 @@ namespace sparkout {
 /// the whole piece. Burning in the shared run is decided by a run on the piece's own least stock,
 /// which is nearest to it. All requirements nearer to their limits, and all requirements where the
 /// form changes by more, are decided by two runs at the piece's own ends.
-[[nodiscard]] std::optional<double> failingStock_mm(const Project& project, StockRange range,
-                                                    const std::stop_token& stop = {});
+[[nodiscard]] std::optional<Project> failingStock(const Project& project, StockRange range,
+                                                  const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -282,6 +282,10 @@ constexpr Output<FailingStocks> failingRows[] = {
     {{.key = "stock_mm", .unit = "mm", .hint = "stocks per side for which the cycle is unfit"},
      [](const FailingStocks& f) { return endsOf(f.stocks); }},
     {{.key = "status"}, [](const FailingStocks& f) { return std::string(statusKey(f.status)); }},
+    {{.key = "wheel_deg", .unit = "°", .hint = "angle of a wheel out of true at which they fail"},
+     [](const FailingStocks& f) { return f.wheel_deg; },
+     nullptr,
+     [](const FailingStocks& f) { return f.wheel_deg.has_value(); }},
 };
 
 constexpr Output<ConstraintResult> worstRows[] = {
@@ -420,21 +424,36 @@ PhaseDecision decideAtPhase(const Project& project, StockRange range, const std:
 
 } // namespace
 
+std::vector<Project> atOtherWheelPhases(const Project& project) {
+    constexpr double turn_deg = 360;
+    std::vector<Project> turned;
+    for (int i = 1; i < phasesOfWheel && wheelWave(project); ++i) {
+        double& phase_deg = turned.emplace_back(project).wheel->runout->phase_deg;
+        phase_deg = std::fmod(phase_deg + i * turn_deg / phasesOfWheel, turn_deg);
+    }
+    return turned;
+}
+
 PhaseDecision decidePhases(const Project& project, StockRange range, const std::stop_token& stop,
                            std::size_t mostPieces) {
     PhaseDecision decision = decideAtPhase(project, range, stop, mostPieces);
     if (!wheelWave(project)) {
         return decision;
     }
-    constexpr double turn_deg = 360;
-    Project turned = project;
-    double& phase_deg = turned.wheel->runout->phase_deg;
-    for (int i = 1; i < phasesOfWheel && decision.isDecided; ++i) {
-        phase_deg = std::fmod(phase_deg + turn_deg / phasesOfWheel, turn_deg);
+    for (FailingStocks& each : decision.failing) {
+        each.wheel_deg = project.wheel->runout->phase_deg;
+    }
+    for (const Project& turned : atOtherWheelPhases(project)) {
+        if (!decision.isDecided) {
+            break;
+        }
         const PhaseDecision other = decideAtPhase(turned, range, stop, mostPieces);
         decision.isDecided = other.isDecided;
         decision.hasTooMany = other.hasTooMany;
-        decision.failing.insert(decision.failing.end(), other.failing.begin(), other.failing.end());
+        for (FailingStocks each : other.failing) {
+            each.wheel_deg = turned.wheel->runout->phase_deg;
+            decision.failing.push_back(std::move(each));
+        }
     }
     std::ranges::stable_sort(decision.failing, {},
                              [](const FailingStocks& each) { return each.stocks.from_mm; });

@@ -105,6 +105,7 @@ struct FailingStocks {
     StockRange stocks;
     RunStatus status = RunStatus::completed;
     std::optional<ConstraintResult> worst; ///< only for cycles that end
+    std::optional<double> wheel_deg{};     ///< the angle ψ_0 of a wheel out of true
 };
 
 /// Greatest number of listed pieces. An infeed of an ordinary cycle has 5 to 30; many small infeeds
@@ -142,6 +143,9 @@ struct PhaseDecision {
 /// the pieces are those of the stated one. It turns the waves of a round blank, and leaves their
 /// height.
 inline constexpr int phasesOfWheel = 4;
+
+/// The project with its wheel at the other of these angles; empty without waves of the wheel.
+[[nodiscard]] std::vector<Project> atOtherWheelPhases(const Project& project);
 
 /// Decides whether the project's cycle meets every requirement for each stock of a range, with its
 /// other inputs unchanged; of a wheel out of true at phasesOfWheel angles.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/wheel_wave.h"
 
+#include "core/process/force.h"
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/units.h"
 
@@ -95,7 +97,13 @@ std::optional<WheelWave> wheelWave(const Project& project) {
     const std::optional<WheelRunout>& runout = project.wheel->runout;
     const Machine& machine = *project.machine;
     const double workTurns_s = machine.work_speed_rpm / units::secondsPerMinute;
-    WheelWave wave{.amplitude_mm = wheelAmplitude_mm(project),
+    // The round wheel leaves no wave of the length λ that is higher than λ²/(4·D_e).
+    const Part& part = *project.part;
+    const double length_mm = std::numbers::pi * part.diameter_mm / wavesPerTurn(project);
+    const double De =
+        equivalentDiameter(part.diameter_mm, project.wheel->diameter_mm, part.surface);
+    WheelWave wave{.amplitude_mm =
+                       std::min(wheelAmplitude_mm(project), length_mm * length_mm / (8 * De)),
                    .perTurn = wavesPerTurn(project),
                    .phase = runout->phase_deg / turn_deg};
     if (const auto& varied = machine.work_speed_variation) {

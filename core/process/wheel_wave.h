@@ -20,7 +20,7 @@
 namespace sparkout {
 
 struct WheelWave {
-    double amplitude_mm = 0; ///< e
+    double amplitude_mm = 0; ///< e, at most λ²/(8·D_e)
     double perTurn = 0;      ///< ρ, waves of the wheel in one turn of the work
     double phase = 0;        ///< ψ_0/2π
     double swing = 0;        ///< σ; 0: the work speed is constant

@@ -127,7 +127,8 @@ int orderOfWaves(const Project& project) {
     const double ratio = std::min(wavesPerTurn(project), mostWaves / mostTurns);
     for (int q = 1; q <= mostTurns; ++q) {
         const double p = std::round(q * ratio);
-        if (p >= 1 && std::abs(q * ratio - p) <= nearRatio) {
+        const bool canBeResolved = q == 1 || p * radiiOfLobe <= mostRadii;
+        if (p >= 1 && canBeResolved && std::abs(q * ratio - p) <= nearRatio) {
             return static_cast<int>(p);
         }
     }
@@ -140,6 +141,15 @@ int radiiForWaves(const Project& project) {
 
 bool areWavesKnown(const Project& project) {
     return project.wheel->runout && project.part->radii_per_section >= radiiForWaves(project);
+}
+
+void resolveWaves(Project& project) {
+    Part& part = *project.part;
+    const int most = mostRadiiPerSection(project);
+    if (project.wheel->runout && part.profile != ProfileForm::measured
+        && part.radii_per_section < radiiForWaves(project)) {
+        part.radii_per_section = std::min(radiiForWaves(project), most);
+    }
 }
 
 int lobesOf(const MachineForm& form) {
@@ -176,6 +186,7 @@ void changeWheelDiameter(Project& project, double diameter_mm) {
         project.machine->wheel_speed_m_s *= diameter_mm / project.wheel->diameter_mm;
     }
     project.wheel->diameter_mm = diameter_mm;
+    resolveWaves(project);
 }
 
 template <>

@@ -151,12 +151,17 @@ inline constexpr int radiiOfLobe = 12;
 /// [BADGER2010].
 inline constexpr double nearRatio = 0.05;
 /// The number of waves around the work that the wheel prints: p where the ratio is near to p/q with
-/// q up to 6, beyond which a long spark-out leaves less than an eighth of e; else the ratio itself.
+/// q up to 6, beyond which a long spark-out leaves less than an eighth of e, and mostRadii resolve
+/// p waves; else the ratio itself.
 [[nodiscard]] int orderOfWaves(const Project& project);
 /// The least number of radii that resolves these waves.
 [[nodiscard]] int radiiForWaves(const Project& project);
-/// Whether the wheel's waves are known: its runout is given, and the radii resolve them.
+/// Whether the wheel's waves are known: its runout is given, and the radii resolve them, which a
+/// valid project's do.
 [[nodiscard]] bool areWavesKnown(const Project& project);
+/// After another speed or wheel diameter: takes as many radii as its waves need, if they are fewer
+/// and those of the blank are not typed.
+void resolveWaves(Project& project);
 
 /// The given number of lobes, or oddLobes.
 [[nodiscard]] int lobesOf(const MachineForm& form);

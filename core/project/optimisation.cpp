@@ -142,7 +142,10 @@ Field ratioDistance() {
     return SPARKOUT_FIELD(
         Optimisation, least_ratio_distance,
         .label = SPARKOUT_NOOP("Input", "Rotation ratio off a whole number"),
-        .hard = {0, 0.45, true}, .nullMeaning = SPARKOUT_NOOP("Input", "any rotation ratio"),
+        .hard = {0, 0.45, true},
+        .nullMeaning =
+            SPARKOUT_NOOP("Input", "any; 0.05 if work speeds are searched and the wheel's "
+                                   "runout is not given"),
         .page = Page::search,
         .hint = SPARKOUT_NOOP(
             "Input", "Minimum distance of n_k/n, the revolutions of the wheel for one of the work, "

@@ -3,6 +3,7 @@
 
 #include "core/digits.h"
 #include "core/project/conditions.h"
+#include "core/project/project.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -122,6 +123,11 @@ double engagedShare(const Part& part) {
     const std::vector<bool> inside = inGaps(part);
     const auto ground = std::count(inside.begin(), inside.end(), false);
     return static_cast<double>(ground) / static_cast<double>(inside.size());
+}
+
+int mostRadiiPerSection(const Project& project) {
+    const int inZone = project.operation->travels ? project.zone_sections : 1;
+    return std::min(mostRadii, mostRadiiOfPart / (placeCount(project) * inZone) / 2 * 2);
 }
 
 Range measuredRange(const Part& part) {

@@ -42,6 +42,8 @@ enum class ProfileForm { ellipse, eccentric, lobes, measured };
 /// Greatest number of radii of a section, which resolves 300 waves of a wheel, and of all sections
 /// together.
 inline constexpr int mostRadii = 3600, mostRadiiOfPart = 72'000;
+/// An even number for the zones or sections of the project.
+[[nodiscard]] int mostRadiiPerSection(const Project& project);
 
 struct Tolerance {
     std::optional<double> roundness_um;     ///< roundness [µm]

@@ -301,11 +301,9 @@ private:
         }
         const int least = radiiForWaves(project());
         if (project().part->radii_per_section < least) {
-            const double most = tableOf<Part>().find("radii_per_section")->hard.high;
-            Bounds needed{{.low = 1.0 * least}, {}, "/wheel/runout"};
-            needed.range.high = least <= most ? most : needed.range.high;
-            warn(IssueCode::wavesUnresolved, "/part/radii_per_section",
-                 Count{project().part->radii_per_section}, needed);
+            add(IssueCode::wavesUnresolved, "/part/radii_per_section",
+                Count{project().part->radii_per_section},
+                Bounds{{.low = 1.0 * least}, {}, "/wheel/runout"});
         }
     }
 
@@ -320,11 +318,10 @@ private:
                  Bounds{radii.soft, radii.unit});
         }
         if (sound({"/part/radii_per_section", "/sections", "/zone_sections"})) {
-            const int inZone = project().operation->travels ? project().zone_sections : 1;
-            const int most = mostRadiiOfPart / (placeCount(project()) * inZone) / 2 * 2;
+            const int most = mostRadiiPerSection(project());
             if (part.radii_per_section > most) {
                 add(IssueCode::outOfRange, "/part/radii_per_section", Count{part.radii_per_section},
-                    Bounds{{radii.hard.low, 1.0 * std::min(most, mostRadii)},
+                    Bounds{{radii.hard.low, 1.0 * most},
                            {},
                            project().operation->travels ? "/zone_sections" : "/sections"});
             }

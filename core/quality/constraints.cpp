@@ -13,9 +13,9 @@ namespace sparkout {
 
 namespace {
 
-/// Empty where strips stay uncut.
+/// Empty where strips stay uncut, or the wheel is not known.
 std::optional<double> ofWhole(const ConstraintResult& c, double value) {
-    return c.isWhole ? std::optional(value) : std::nullopt;
+    return c.isWhole && isComputed(c) ? std::optional(value) : std::nullopt;
 }
 
 constexpr Output<ConstraintResult> requirementTable[] = {
@@ -24,15 +24,14 @@ constexpr Output<ConstraintResult> requirementTable[] = {
     {{.key = "unit", .hint = "of limit, value and margin; empty for a plain number"},
      [](const ConstraintResult& c) { return std::string(requirementOf(c.kind).unit); }},
     {{.key = "limit"}, [](const ConstraintResult& c) { return c.limit; }},
-    {{.key = "value", .hint = "null where strips stay uncut"},
+    {{.key = "value", .hint = "null where strips stay uncut or the wheel is not known"},
      [](const ConstraintResult& c) { return ofWhole(c, c.value); }},
     {{.key = "value_most",
       .hint = "upper end of an estimate, whose lower end is the value; otherwise absent"},
      [](const ConstraintResult& c) { return ofWhole(c, c.mostValue.value_or(c.value)); },
      nullptr,
      [](const ConstraintResult& c) { return c.mostValue.has_value(); }},
-    {{.key = "margin",
-      .hint = "positive when the requirement is met; null where strips stay uncut"},
+    {{.key = "margin", .hint = "positive when the requirement is met; null as the value is"},
      [](const ConstraintResult& c) { return ofWhole(c, c.margin); }},
     {{.key = "relative_margin",
       .hint = "the margin over the width of the field or range, or over the limit"},
@@ -64,6 +63,10 @@ ConstraintResult held(ConstraintKind kind, Side side, double limit, double value
 
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result) {
     return evaluateConstraints(result, requiredAccuracy(result));
+}
+
+bool isComputed(const ConstraintResult& constraint) {
+    return constraint.kind != ConstraintKind::waviness || constraint.knowsMachine;
 }
 
 bool isPrinted(ConstraintKind kind) {

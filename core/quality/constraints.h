@@ -44,10 +44,12 @@ struct ConstraintResult {
         otherEnd{}; ///< other end of a machine range, where `limit` is the nearer one
     std::optional<double> mostValue{}; ///< upper end of an estimate, whose lower end is the value
     bool isWhole = true; ///< false: strips stay uncut, and value and margin cover the rest alone
-    /// False: what the machine, or of the waviness the wheel, prints is unknown or unresolved, and
-    /// not included.
+    /// False: what the machine, or of the waviness the wheel, prints is unknown and not included.
     bool knowsMachine = true;
 };
+
+/// Whether its value is computed: not of the waves that a wheel of unknown runout prints.
+[[nodiscard]] bool isComputed(const ConstraintResult& constraint);
 
 /// Whether the machine's form error or the wheel's runout affects the requirement: roundness,
 /// cylindricity, runouts and waviness.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/drawing_constraints.h"
 
-#include "core/process/wheel_wave.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/roughness.h"
 #include "core/quality/waviness_outputs.h"
 #include "core/units.h"
@@ -117,16 +115,10 @@ std::optional<FormulaSheet> sheetOfTotalRunout(const Judged& of) {
 
 void evaluateWaviness(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
     if (const auto& limit = toleranceOf(of).waviness_um) {
-        const Project& project = of.result.project;
-        const bool isResolved = areWavesKnown(project);
-        const double height_mm =
-            isResolved ? profileWaves(of.result, static_cast<std::size_t>(of.section)).height_mm
-                       : 0;
-        addTolerance(kind, of, *limit, height_mm, found);
-        if (project.wheel->runout && !isResolved) {
-            // No radius is deeper or less deep than with a wheel that stands e nearer or farther.
-            found.back().mostValue = 2 * wheelAmplitude_mm(project) * umPerMm;
-        }
+        const auto place = static_cast<std::size_t>(of.section);
+        const bool isKnown = areWavesKnown(of.result.project);
+        addTolerance(kind, of, *limit, isKnown ? profileWaves(of.result, place).height_mm : 0,
+                     found);
     }
 }
 

@@ -131,15 +131,6 @@ bool isOpen(const ConstraintResult& constraint) {
     return constraint.holds && constraint.mostValue && *constraint.mostValue > constraint.limit;
 }
 
-bool isSure(const ConstraintResult& constraint) {
-    return constraint.holds && !(constraint.kind == ConstraintKind::waviness && isOpen(constraint));
-}
-
-bool isComputed(const ConstraintResult& constraint) {
-    return constraint.kind != ConstraintKind::waviness
-           || (constraint.knowsMachine && !constraint.mostValue);
-}
-
 bool isLowerBound(const ConstraintResult& constraint) {
     return constraint.holds && !constraint.knowsMachine;
 }

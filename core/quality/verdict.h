@@ -27,14 +27,6 @@ inline constexpr double closeMargin = 0.1;
 
 /// Whether it is undecided: an estimate met by its lower end and not by its upper end.
 [[nodiscard]] bool isOpen(const ConstraintResult& constraint);
-/// Whether a search may count on it: it is met, and waves that the radii do not resolve are not so
-/// high that they could break it.
-[[nodiscard]] bool isSure(const ConstraintResult& constraint);
-
-/// Whether its value is computed: not of waves that a wheel of unknown runout prints, or that the
-/// radii do not resolve; the value is then 0.
-[[nodiscard]] bool isComputed(const ConstraintResult& constraint);
-
 /// Whether it holds by a value that does not include the machine's own form: the value is a lower
 /// bound, and the requirement is not decided.
 [[nodiscard]] bool isLowerBound(const ConstraintResult& constraint);

@@ -53,11 +53,6 @@ constexpr Output<PlaceWaves> wavinessRows[] = {
       .hint = SPARKOUT_NOOP("Output", "Number around the part, by the ratio of wheel to work "
                                       "speed and the waves of the wheel.")},
      [](const PlaceWaves& of) { return std::int64_t{of.order}; }},
-    {{.key = "radii_needed",
-      .label = SPARKOUT_NOOP("Output", "Radii that resolve the waves"),
-      .hint = SPARKOUT_NOOP("Output", "Twelve for each wave; with fewer radii the waviness is not "
-                                      "decided.")},
-     [](const PlaceWaves& of) { return std::int64_t{of.radiiNeeded}; }},
 };
 
 } // namespace
@@ -87,7 +82,7 @@ std::optional<PlaceWaves> placeWaves(const SimulationResult& result, std::size_t
     if (!project.wheel->runout) {
         return std::nullopt;
     }
-    PlaceWaves found{orderOfWaves(project), radiiForWaves(project), {}};
+    PlaceWaves found{orderOfWaves(project), {}};
     if (areWavesKnown(project) && FinishedSurface(project).isWhole()) {
         found.waves = profileWaves(result, section);
     }

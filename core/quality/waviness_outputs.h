@@ -15,8 +15,7 @@ namespace sparkout {
 
 /// The waves of a zone or section, of its most wavy section.
 struct PlaceWaves {
-    int order = 0;       ///< number of waves that the wheel prints
-    int radiiNeeded = 0; ///< to resolve them
+    int order = 0; ///< number of waves that the wheel prints
     /// Empty where the radii do not resolve the waves, or strips stay uncut.
     std::optional<Waviness> waves;
 

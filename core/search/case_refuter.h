@@ -52,7 +52,7 @@ namespace sparkout {
 ///
 /// The blank's form changes with the stock by at most formChange_mm(), and every step that is shown
 /// to end a stage, or not to, is so by more than that and rounding; a diameter is too small by more
-/// than four times that and 10 nm, the tolerance of failingStock_mm(). With a delayed change of the
+/// than four times that and 10 nm, the tolerance of failingStock(). With a delayed change of the
 /// feed, and where LastStageBound has no bound, no cycle is refuted.
 class CaseRefuter {
 public:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/search/judge.h"
 
-#include "core/quality/verdict.h"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -186,7 +184,7 @@ std::optional<double> Judge::leastMargin(const SimulationResult& result) {
     double least = std::numeric_limits<double>::infinity();
     for (const ConstraintResult& constraint : worstByKind(evaluateConstraints(result))) {
         least = std::min(least, constraint.relativeMargin);
-        if (!isSure(constraint)) {
+        if (!constraint.holds) {
             holds = false;
             ++counts.cuts[static_cast<std::size_t>(constraint.kind)];
         }

@@ -66,17 +66,6 @@ StockRange wholeStocks(const Project& project) {
     return stocks;
 }
 
-/// The project with a stock of the range for which its cycle fails.
-std::optional<Project> failingOf(Project project, const StockRange& stocks,
-                                 const std::stop_token& stop) {
-    const std::optional<double> stock_mm = failingStock_mm(project, stocks, stop);
-    if (!stock_mm) {
-        return std::nullopt;
-    }
-    project.part->stock_mm = *stock_mm;
-    return project;
-}
-
 /// The nominal part, as −1, and corners of its batch, each with all stocks of the range.
 class Cases {
 public:
@@ -107,7 +96,7 @@ public:
     [[nodiscard]] std::optional<FailingPart> failing(std::int64_t one,
                                                      const std::stop_token& stop) const {
         Project part = one < 0 ? m_part : m_source->project(one);
-        auto found = failingOf(part, m_cases.stocks, stop);
+        auto found = failingStock(part, m_cases.stocks, stop);
         return found ? std::optional(FailingPart{
                    std::move(*found), PhaseCase{one, std::move(part), wholeStocks(m_part)}})
                      : std::nullopt;
@@ -123,10 +112,9 @@ private:
 /// for one of them, or has a smaller margin there than required.
 bool takeWorst(const Project& project, const StockRange& stocks, double least,
                const std::stop_token& stop, std::optional<ConstraintResult>& worst) {
-    const bool all = visitPhasePieces(
-        project, stocks.from_mm, stocks.to_mm,
-        [&](const PhasePiece& piece, const SimulationResult&) {
-            const DecidedPiece decided = decidePiece(project, piece, stop);
+    const auto holdsAt = [&](const Project& part) {
+        const auto holds = [&](const PhasePiece& piece, const SimulationResult&) {
+            const DecidedPiece decided = decidePiece(part, piece, stop);
             if (!decided.holdsWhole() || !decided.worst || stop.stop_requested()) {
                 return false;
             }
@@ -134,9 +122,11 @@ bool takeWorst(const Project& project, const StockRange& stocks, double least,
                 worst = decided.worst;
             }
             return worst->relativeMargin >= least;
-        },
-        stop);
-    return all && !stop.stop_requested();
+        };
+        return visitPhasePieces(part, stocks.from_mm, stocks.to_mm, holds, stop);
+    };
+    return holdsAt(project) && std::ranges::all_of(atOtherWheelPhases(project), holdsAt)
+           && !stop.stop_requested();
 }
 
 } // namespace

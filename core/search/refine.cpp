@@ -6,7 +6,6 @@
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
-#include "core/quality/verdict.h"
 #include "core/search/cycle_runner.h"
 #include "core/search/grid.h"
 #include "core/simulation/simulate.h"
@@ -261,7 +260,7 @@ private:
         }
         double broken = 0;
         for (const ConstraintResult& each : evaluateConstraints(result)) {
-            tried.holds = tried.holds && isSure(each);
+            tried.holds = tried.holds && each.holds;
             tried.margin = std::min(tried.margin, each.relativeMargin);
             broken += each.holds ? 0 : std::min(-each.relativeMargin, mostEach);
         }
@@ -418,7 +417,8 @@ FreshPartsTrial triedOnOthers(const Project& project, const RefineSummary& found
         if (result.status == RunStatus::stopped) {
             return {};
         }
-        if (result.status != RunStatus::completed || !std::ranges::all_of(all, isSure)) {
+        if (result.status != RunStatus::completed
+            || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds; })) {
             return {std::move(scenario), {}};
         }
     }

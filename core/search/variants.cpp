@@ -4,6 +4,7 @@
 #include "core/grace_stop.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 
@@ -73,13 +74,18 @@ std::vector<std::shared_ptr<const Grid>> gridsOf(const Project& project,
 
 MachineSettings machineSettings(const Project& project) {
     return {project.machine->work_speed_rpm, project.machine->dwell_entry_s,
-            project.machine->dwell_exit_s};
+            project.machine->dwell_exit_s,
+            project.wheel->runout ? project.part->radii_per_section : 0};
 }
 
 void setMachine(Project& project, const MachineSettings& settings) {
     project.machine->work_speed_rpm = settings.work_speed_rpm;
     project.machine->dwell_entry_s = settings.dwell_entry_s;
     project.machine->dwell_exit_s = settings.dwell_exit_s;
+    if (settings.radii > 0) {
+        project.part->radii_per_section = settings.radii;
+    }
+    resolveWaves(project);
 }
 
 std::optional<double> leastRatioDistance(const Project& project) {
@@ -160,6 +166,7 @@ Variants::Variants(const Project& project, const std::stop_token& stop) {
         return;
     }
     const std::vector<std::shared_ptr<const Grid>> grids = gridsOf(plain, sparkOuts);
+    const MachineSettings given = machineSettings(project);
     for (const double speed : speeds) {
         m_isCutShort = grace.isOver();
         if (m_isCutShort) {
@@ -168,7 +175,7 @@ Variants::Variants(const Project& project, const std::stop_token& stop) {
         for (const double entry : entries) {
             for (const double exit : exits) {
                 for (std::size_t i = 0; i < sparkOuts.size(); ++i) {
-                    setMachine(plain, {speed, entry, exit});
+                    setMachine(plain, {speed, entry, exit, given.radii});
                     asked.work_speed_rpm = only(speed);
                     asked.dwell_entry_s = only(entry);
                     asked.dwell_exit_s = only(exit);

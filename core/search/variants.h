@@ -17,6 +17,7 @@ struct MachineSettings {
     double work_speed_rpm = 0; ///< n [rev/min]
     double dwell_entry_s = 0;  ///< traverse [s]
     double dwell_exit_s = 0;   ///< traverse [s]
+    int radii = 0; ///< K of the project before another work speed, with a wheel out of true
     friend bool operator==(const MachineSettings&, const MachineSettings&) = default;
 };
 [[nodiscard]] MachineSettings machineSettings(const Project& project);

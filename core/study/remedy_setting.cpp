@@ -123,6 +123,7 @@ Project withCycleOf(Project project, const Project& other) {
     Machine& machine = *project.machine;
     const Machine& from = *other.machine;
     machine.work_speed_rpm = from.work_speed_rpm;
+    resolveWaves(project);
     if (!project.operation->travels) {
         return project;
     }
@@ -348,7 +349,10 @@ Project RemedySetting::applied(Project project, double value) const {
     case RemedyKind::sparkOut: stages[stage].sparkOutFor(static_cast<int>(value)); break;
     case RemedyKind::dwellEntry: project.machine->dwell_entry_s = value; break;
     case RemedyKind::dwellExit: project.machine->dwell_exit_s = value; break;
-    case RemedyKind::workSpeed: project.machine->work_speed_rpm = value; break;
+    case RemedyKind::workSpeed:
+        project.machine->work_speed_rpm = value;
+        resolveWaves(project);
+        break;
     case RemedyKind::plungeFeed: project.machine->plunge_feed_mm_min = value; break;
     case RemedyKind::targetDiameter: project.part->target_diameter_mm = value; break;
     case RemedyKind::addFeed:

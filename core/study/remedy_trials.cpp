@@ -246,14 +246,8 @@ std::optional<Project> RemedyTrials::failingStock(const Project& changed) const 
             return trial ? std::optional(std::move(phase)) : std::nullopt;
         }
     }
-    const std::optional<double> stock_mm =
-        canDecide ? failingStock_mm(changed, usualPhases(changed), m_end.token()) : std::nullopt;
-    std::optional<Project> fails;
-    if (stock_mm) {
-        fails = changed;
-        fails->part->stock_mm = *stock_mm;
-    }
-    return fails;
+    return canDecide ? sparkout::failingStock(changed, usualPhases(changed), m_end.token())
+                     : std::nullopt;
 }
 
 bool RemedyTrials::confirm(Remedy& remedy) {

@@ -20,7 +20,8 @@ namespace sparkout {
 namespace {
 
 constexpr int mostLobes = 8, mostTurns = 6;
-constexpr double shareOfCount = 0.03, partingWaves = 2, leastChange = 0.03, wheelChange = 0.05;
+constexpr double shareOfCount = 0.03; ///< to which a count is right
+constexpr int fewestApart = 2;        ///< waves
 
 constexpr Output<WaveCause> causeRows[] = {
     {{.key = "source",
@@ -77,9 +78,9 @@ bool isCounted(int counted, double waves) {
 }
 
 WaveTest waveTest(const Project& project, int counted) {
-    const double change = std::max(leastChange, partingWaves / counted);
-    return {project.machine->work_speed_rpm * (1 + change),
-            wheelSpeed_rpm(project) * (1 - wheelChange)};
+    const int fewer = std::max(fewestApart, static_cast<int>(std::ceil(shareOfCount * counted)));
+    const double share = 1.0 * (counted - fewer) / counted;
+    return {project.machine->work_speed_rpm / share, wheelSpeed_rpm(project) * share};
 }
 
 std::vector<WaveCause> waveCauses(const Project& project, const WaveInquiry& asked) {

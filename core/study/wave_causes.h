@@ -37,8 +37,9 @@ struct WaveInquiry {
     std::vector<double> frequencies_hz; ///< known in the machine and around it
 };
 
-/// The test that tells the causes apart: another work speed, at which the counts of time and work
-/// part by at least two waves, and another wheel speed, which moves those of the wheel alone.
+/// The test that tells the causes apart: a higher work speed, at which what moves with time leaves
+/// a whole number of waves fewer, two and 3 % at least, and a lower wheel speed, at which the wheel
+/// does.
 struct WaveTest {
     double workSpeed_rpm = 0, wheelSpeed_rpm = 0;
 };
@@ -48,12 +49,12 @@ struct WaveTest {
 [[nodiscard]] bool isCounted(int counted, double waves);
 
 /// The causes whose waves agree with the count, the fewest lobes and turns first; what is fixed to
-/// the work is always one. Project and inquiry must be valid: n > 0, counted ≥ 2.
+/// the work is always one. Project and inquiry must be valid: n > 0, counted ≥ fewestWaves.
 [[nodiscard]] std::vector<WaveCause> waveCauses(const Project& project, const WaveInquiry& asked);
 /// Test and causes, as `sparkout-cli waves --json` states them.
 [[nodiscard]] std::string wavesJson(const Project& project, const WaveInquiry& asked);
 /// How many waves may have been counted, and known frequencies be [Hz].
-inline constexpr int fewestWaves = 2, mostWaves = 100'000;
+inline constexpr int fewestWaves = 4, mostWaves = 100'000;
 inline constexpr double lowestFrequency_hz = 0.1, highestFrequency_hz = 1e5;
 
 [[nodiscard]] std::span<const Output<WaveCause>> waveCauseOutputs();

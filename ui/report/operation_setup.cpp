@@ -74,6 +74,12 @@ Facts OperationSetup::settings(const Outcome& outcome) {
                       .arg(Names::significant(std::numbers::pi * project.part->diameter_mm
                                               * project.machine->work_speed_rpm / units::mmPerM))},
                  inputFact(project, "/part/initial_runout_mm")}};
+    if (const auto& varied = project.machine->work_speed_variation) {
+        facts.facts.emplace_back(
+            tr("Work speed varied"),
+            tr("±%1 % in %2 s")
+                .arg(Names::significant(varied->percent), Names::significant(varied->period_s)));
+    }
     if (const double engaged = engagedShare(*project.part); engaged < 1) {
         facts.facts.emplace_back(tr("Interrupted surface"),
                                  tr("%n gap(s), %1 % of the turn is ground", nullptr,

@@ -5,7 +5,6 @@
 #include "core/process/wheel_wave.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/units.h"
@@ -392,16 +391,10 @@ QString VerdictWhy::waves(const Project& project) {
     if (!project.wheel->runout) {
         return tr("The runout of the wheel is not given, so the waves it prints are not known.");
     }
-    const int order = orderOfWaves(project);
-    if (!areWavesKnown(project)) {
-        return tr("%1 radii do not resolve the waves of the wheel; %2 are needed.")
-            .arg(project.part->radii_per_section)
-            .arg(radiiForWaves(project));
-    }
     return tr("A wheel with an amplitude of %1 µm prints %2 waves around the part. A work speed at "
               "which the ratio of the speeds is not near to a whole number leaves less of them.")
         .arg(Names::micrometres(wheelAmplitude_mm(project) * units::umPerMm))
-        .arg(order);
+        .arg(orderOfWaves(project));
 }
 
 /// Compares mean radii with their own mean, and the roundness of the worst section.

@@ -71,7 +71,9 @@ std::string wrongAt(const Project& project, const PhaseDecision& decision, doubl
 /// What is wrong with the stock that fails by most: none where the decision has one, or another.
 std::string wrongAboutFailing(const Project& project, const PhaseDecision& decision,
                               StockRange range) {
-    const std::optional<double> stock_mm = failingStock_mm(project, range);
+    const std::optional<Project> failing = failingStock(project, range);
+    const std::optional<double> stock_mm =
+        failing ? std::optional(failing->part->stock_mm) : std::nullopt;
     const std::vector<StockRange> ranges = decision.failingRanges();
     if (!stock_mm) {
         const bool isNone = std::ranges::all_of(ranges, [](const StockRange& each) {
@@ -300,7 +302,7 @@ private slots:
                 for (const Project& narrow : {small, large}) {
                     QCOMPARE(wrongAboutFailing(narrow, decidePhases(narrow, range), range),
                              std::string());
-                    QVERIFY(failingStock_mm(narrow, range).has_value());
+                    QVERIFY(failingStock(narrow, range).has_value());
                 }
             }
         }

@@ -254,7 +254,7 @@ private:
         row("lobes unknown", IssueCode::lobesUnknown, "/machine/form/lobes", traverse,
             {{"/machine/form", {{"roundness_um", {1, 2, 1}}}}}, warning);
         row("too few radii for the wheel's waves", IssueCode::wavesUnresolved,
-            "/part/radii_per_section", plunge, {{"/wheel/runout", {{"amplitude_um", 1}}}}, warning);
+            "/part/radii_per_section", plunge, {{"/wheel/runout", {{"amplitude_um", 1}}}});
         row("no form of the wheel's runout", IssueCode::wrongCount, "/wheel/runout", plunge,
             {{"/wheel/runout", {{"lobes", 2}}}});
         row("two forms of the wheel's runout", IssueCode::wrongCount, "/wheel/runout", plunge,

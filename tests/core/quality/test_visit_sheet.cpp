@@ -35,8 +35,11 @@ std::vector<Project> samples() {
     soft.machine->wheel_contact = WheelContact{{{{0, 20}, {200, 60}}}};
     Project wavy = sections(2);
     wavy.wheel->runout = WheelRunout{.amplitude_um = 2};
+    resolveWaves(wavy);
     Project wavyBore = bore;
     wavyBore.wheel->runout = wavy.wheel->runout;
+    wavyBore.machine->wheel_speed_m_s = 7;
+    resolveWaves(wavyBore);
     return {fixtures::traverse(), sections(3), bore, soft, wavy, wavyBore};
 }
 

@@ -9,11 +9,14 @@
 #include "core/batch/scenario_source.h"
 #include "core/batch/sweep_run.h"
 #include "core/batch/usual_batch.h"
+#include "core/phases/failing_stock.h"
 #include "core/project/validate.h"
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/result_json.h"
 #include "core/quality/verdict.h"
+#include "core/quality/waviness_outputs.h"
 #include "core/search/limit.h"
+#include "core/search/variants.h"
 #include "core/surface/waviness.h"
 #include "tests/core/search/search_checks.h"
 #include "tests/registry.h"
@@ -221,6 +224,7 @@ private slots:
         bore.wheel->diameter_mm = 45;
         for (Project p : {fixtures::traverse(), fixtures::plunge(), bore}) {
             p.wheel->runout = WheelRunout{.amplitude_um = 2};
+            resolveWaves(p);
             const SimulationResult with = simulate(p);
             p.wheel->runout.reset();
             const SimulationResult without = simulate(p);
@@ -245,14 +249,14 @@ private slots:
     }
 
     void tooFewRadiiAreNamedWithTheNumberThatWouldDo() {
-        const auto warned = [](const Project& p) {
+        const auto least = [](const Project& p) {
             const Issues issues = validate(p);
             const auto found = std::ranges::find(issues, IssueCode::wavesUnresolved, &Issue::code);
             return found == issues.end() ? 0 : std::get<Bounds>(found->limit).range.low;
         };
-        QCOMPARE(warned(shaft(8, 94, 10)), 96.0);
-        QCOMPARE(warned(shaft(8, 96, 10)), 0.0);
-        QCOMPARE(warned(shaft(8.5, 96, 10)), 17 * 12.0); // 17 waves in two turns
+        QCOMPARE(least(shaft(8, 94, 10)), 96.0);
+        QCOMPARE(least(shaft(8, 96, 10)), 0.0);
+        QCOMPARE(least(shaft(8.5, 96, 10)), 17 * 12.0); // 17 waves in two turns
         QVERIFY(areWavesKnown(shaft(8, 96, 10)) && !areWavesKnown(shaft(8, 94, 10)));
         QCOMPARE(orderOfWaves(shaft(8.42, 96, 10)), 8);
         Project p = shaft(8, 96, 10);
@@ -293,58 +297,113 @@ private slots:
         oval.cycle->stages.back().sparkOutFor(10);
         QVERIFY(within(rowOf(runOf(oval)).value, 2 * amplitude_um, 0.2));
 
-        Project few = p;
-        few.part->radii_per_section = 94;
-        const SimulationResult unresolved = runOf(few);
-        QVERIFY(wavesIn(unresolved).at("height_um").is_null());
-        QVERIFY(wavesIn(unresolved).at("orders").is_null());
-        QCOMPARE(wavesIn(unresolved).at("radii_needed").get<int>(), 96);
-        QCOMPARE(rowOf(unresolved).mostValue, std::optional(2 * amplitude_um)); // and no more
-        QVERIFY(lightOf(rowOf(unresolved)) == Light::undecided && !isSure(rowOf(unresolved)));
-        few.wheel->runout.reset();
-        QVERIFY(unresolved.sections[0].radii_mm == runOf(few).sections[0].radii_mm);
-        few = p;
-        few.part->radii_per_section = 94;
-        few.part->tolerance.waviness_um = 2 * amplitude_um;
-        QVERIFY(isSure(rowOf(runOf(few)))); // as high as the wheel can print them
-
         p.wheel->runout.reset();
         QVERIFY(wavesIn(runOf(p)).is_null()); // not known, and so never 0.00
         QVERIFY(lightOf(rowOf(runOf(p))) == Light::undecided);
     }
 
-    /// Where the radii do not resolve the waves, or the runout is not given, there is no value in a
-    /// sweep or a batch.
-    void wavesThatAreNotKnownAreNoZero() {
-        Project p = shaft(8, 94, 10);
+    /// Where another speed or wheel needs more radii than the project has, a run takes them.
+    void otherSpeedsTakeTheRadiiThatTheyNeed() {
+        Project p = shaft(8, 96, 10);
         p.part->tolerance.waviness_um = 0.9;
         p.sweep =
-            Sweep{{{.input = "/machine/work_speed_rpm", .from = 200, .to = 220, .points = 2}}};
+            Sweep{{{.input = "/machine/work_speed_rpm", .from = 160, .to = 200, .points = 2}}};
         const SweepResult swept = runSweep(p);
         const auto column = std::ranges::find(swept.quantities, "waviness", &SweepQuantity::name)
                             - swept.quantities.begin();
         const auto at = [&](std::size_t point) {
-            return swept.points[point].values[static_cast<std::size_t>(column)];
+            return swept.points[point].values[static_cast<std::size_t>(column)].value;
         };
-        QVERIFY(std::isnan(at(0).value) && std::isnan(at(0).margin) && !swept.points[0].good);
-        QVERIFY(at(1).value < 0.9 && at(1).margin > 0 && swept.points[1].good); // 7.27 a turn
-        const auto batchOf = [](const Project& project) {
-            const std::vector<Characteristic> all = characteristicsOf(project);
-            const auto row = std::ranges::find_if(all, [](const Characteristic& each) {
-                return each.requirement && each.requirement->kind == ConstraintKind::waviness;
-            });
-            const auto i = static_cast<std::size_t>(row - all.begin());
-            return runBatch(project).statistics.values.at(i);
-        };
+        Project ten = shaft(10, 120, 10); // as 8 at 200 rev/min is at 160
+        ten.machine->work_speed_rpm = 160;
+        ten.wheel->diameter_mm = p.wheel->diameter_mm;
+        QCOMPARE(orderOfWaves(ten), 10);
+        QCOMPARE(at(0), profileWaves(runOf(ten), 0).height_mm * 1000);
+        QVERIFY(at(0) > 0.9 && at(1) > 0.9 && !swept.points[0].good);
+        Project worn = p;
+        changeWheelDiameter(worn, p.wheel->diameter_mm / 2); // 16 a turn
+        QCOMPARE(worn.part->radii_per_section, 192);
+        setMachine(worn, {.work_speed_rpm = 100, .radii = 96});
+        QCOMPARE(worn.part->radii_per_section, 384);
+        worn.part->profile = ProfileForm::measured; // whose radii are typed
+        changeWheelDiameter(worn, p.wheel->diameter_mm / 4);
+        QCOMPARE(worn.part->radii_per_section, 384);
+        worn.wheel->runout.reset();
+        worn.part->profile = ProfileForm::ellipse;
+        changeWheelDiameter(worn, p.wheel->diameter_mm / 8);
+        QCOMPARE(worn.part->radii_per_section, 384);
+    }
+
+    /// Where the runout is not given, a sweep and a batch have no value.
+    void wavesThatAreNotKnownAreNoZero() {
+        Project p = shaft(8, 96, 10);
+        p.part->tolerance.waviness_um = 0.9;
+        p.wheel->runout.reset();
+        p.sweep =
+            Sweep{{{.input = "/machine/work_speed_rpm", .from = 160, .to = 200, .points = 2}}};
+        const SweepResult swept = runSweep(p);
+        const auto column = std::ranges::find(swept.quantities, "waviness", &SweepQuantity::name)
+                            - swept.quantities.begin();
+        const SweepValue& value = swept.points[0].values[static_cast<std::size_t>(column)];
+        QVERIFY(std::isnan(value.value) && std::isnan(value.margin));
         p.batch = Batch{};
         p.batch->parts = 3;
-        const ValueStatistics highest = batchOf(p); // that are possible
-        QVERIFY(highest.count == 3);
-        QCOMPARE(highest.least.value, 2 * amplitude_um);
-        QCOMPARE(highest.most.value, 2 * amplitude_um);
-        QVERIFY(highest.above == 3);
-        p.wheel->runout.reset();
-        QVERIFY(batchOf(p).count == 0);
+        const std::vector<Characteristic> all = characteristicsOf(p);
+        const auto row = std::ranges::find_if(all, [](const Characteristic& each) {
+            return each.requirement && each.requirement->kind == ConstraintKind::waviness;
+        });
+        const auto i = static_cast<std::size_t>(row - all.begin());
+        QVERIFY(runBatch(p).statistics.values.at(i).count == 0);
+        const auto json = nlohmann::json::parse(resultJson(runOf(p), {}));
+        const auto& rows = json.at("constraints");
+        const auto waviness = std::ranges::find_if(
+            rows, [](const auto& each) { return each.at("name") == "waviness"; });
+        QVERIFY(waviness->at("value").is_null() && waviness->at("margin").is_null());
+        QVERIFY(!waviness->at("machine_known").template get<bool>());
+    }
+
+    /// The round wheel leaves no wave higher than λ²/(4·D_e).
+    void theRoundWheelFollowsNoShortWave() {
+        Project p = shaft(200, 2400, 10);
+        p.wheel->diameter_mm = 400;
+        p.machine->wheel_speed_m_s = 200 * workSpeed_rpm * pi * 400 / 60e3;
+        p.wheel->runout->amplitude_um = 5;
+        const double length_mm = pi * 40 / 200, De = 40.0 * 400 / 440;
+        QVERIFY(within(2 * wheelWave(p)->amplitude_mm, length_mm * length_mm / (4 * De), 1e-9));
+        p.wheel->runout->amplitude_um = 0.5;
+        QVERIFY(within(wheelWave(p)->amplitude_mm, 0.5e-3, 1e-12));
+    }
+
+    /// Every stock is decided at four angles of the wheel, by the verdict, the search and the
+    /// remedies alike; corners of a batch are two angles.
+    void everyStockIsDecidedAtFourAngles() {
+        Project p = shaft(8.3, 204, 0);
+        p.wheel->runout->amplitude_um = 3;
+        p.part->initial_runout_mm = 0.03;
+        p.part->profile = ProfileForm::ellipse;
+        QCOMPARE(atOtherWheelPhases(p).size(), std::size_t(phasesOfWheel - 1));
+        QCOMPARE(atOtherWheelPhases(p)[1].wheel->runout->phase_deg, 180.0);
+        const StockRange range = usualPhases(p);
+        for (const double limit_um : {7.0, 8.0, 9.0, 10.0, 12.0}) {
+            p.part->tolerance.roundness_um = limit_um;
+            const PhaseDecision decision = decidePhases(p, range);
+            const std::optional<Project> failing = failingStock(p, range);
+            QVERIFY(decision.isDecided);
+            QCOMPARE(failing.has_value(), !decision.failing.empty());
+            if (failing) {
+                const auto fails = simulate(*failing);
+                QVERIFY(!std::ranges::all_of(evaluateConstraints(fails), &ConstraintResult::holds));
+                QVERIFY(std::ranges::all_of(decision.failing, [](const FailingStocks& each) {
+                    return each.wheel_deg.has_value();
+                }));
+            }
+        }
+        p.batch = Batch{};
+        p.batch->scenarios = Scenarios::corners;
+        p.batch->factors.wheel_phase_deg = usualFactor(FactorKind::wheelPhase, p);
+        const ScenarioSource corners(p);
+        QCOMPARE(corners.project(0).wheel->runout->phase_deg, 0.0);
+        QCOMPARE(corners.project(1).wheel->runout->phase_deg, 180.0);
     }
 
     void wavinessLeavesOutTheLowerOrders() {
@@ -405,6 +464,7 @@ private slots:
         QVERIFY(std::isinf(provedLastCut_mm(p, 40, 6e-5)));
         for (Project each : {fixtures::plunge(), fixtures::traverse()}) {
             each.wheel->runout = WheelRunout{.amplitude_um = 3};
+            resolveWaves(each);
             QVERIFY(steplessLimit_s(each) <= simulate(each).time_s);
         }
     }

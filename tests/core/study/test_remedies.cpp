@@ -68,9 +68,9 @@ std::ptrdiff_t idleStages(const Outcome& outcome) {
 /// Whether it holds for the other stocks of the phase: decided where that can be, else sampled.
 bool holdsOtherStocks(const Project& project) {
     const auto holds = [](const Project& phase) { return tried(phase, {}).value().holds; };
-    if (canDecidePhases(project)) { // failingStock_mm() itself is held against decidePhases()
+    if (canDecidePhases(project)) { // failingStock() itself is held against decidePhases()
         return std::ranges::all_of(stockPhases(project, 4), holds)
-               && !failingStock_mm(project, usualPhases(project));
+               && !failingStock(project, usualPhases(project));
     }
     return std::ranges::all_of(stockPhases(project), holds);
 }

@@ -605,5 +605,22 @@ json withWheelRunout(json project, std::uint64_t seed) {
                                            {"period_s", random.uniform(1, 10, 1)}};
     }
     project["wheel"]["runout"] = runout;
+    // Three to twelve waves a turn, and twelve radii for each of them, or of those of several
+    // turns.
+    const double ratio = random.uniform(3, 12, 2);
+    machine["wheel_speed_m_s"] = ratio * machine["work_speed_rpm"].get<double>()
+                                 / runout.value("lobes", 1) * std::numbers::pi
+                                 * project["wheel"]["diameter_mm"].get<double>() / 60'000;
+    int waves = static_cast<int>(std::round(ratio));
+    for (int turns = 6; turns > 0; --turns) {
+        const double whole = std::round(turns * ratio);
+        waves = std::abs(turns * ratio - whole) < 0.051 ? static_cast<int>(whole) : waves;
+    }
+    json& part = project["part"];
+    part["radii_per_section"] = std::max(12 * waves, part.value("radii_per_section", 36));
+    if (part.contains("radii_um")) { // typed for another number of radii
+        part.erase("radii_um");
+        part["profile"] = "ellipse";
+    }
     return project;
 }

@@ -181,6 +181,9 @@ QString PhaseBar::remark() const {
     if (m_phases && !m_stale) {
         const QString share = PhaseText::share(*m_project, m_phases->decision);
         return PhaseText::verdict(m_phases->decision)
+               + (m_phases->project.wheel->runout
+                      ? u' ' + tr("Decided at four angles of the wheel, which runs out of true.")
+                      : QString())
                + (share.isEmpty() ? QString() : u'\n' + share);
     }
     if (busy()) {
