@@ -206,6 +206,9 @@ RunSummary summarise(const SimulationResult& result, const PartAccuracy& accurac
     summary.peak_normal_force_n = result.peakNormalForce_n;
     summary.peak_power_w = result.peakPower_w;
     for (const ConstraintResult& constraint : worstByKind(constraints)) {
+        if (!isComputed(constraint)) {
+            continue;
+        }
         summary.requirements.push_back({requirementOf(constraint.kind).key, worstPlace(constraint),
                                         constraint.limit, constraint.value, constraint.margin,
                                         constraint.relativeMargin, constraint.holds});
