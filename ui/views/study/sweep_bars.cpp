@@ -2,6 +2,7 @@
 #include "ui/views/study/sweep_bars.h"
 
 #include "core/file/project_file.h"
+#include "core/project/wheel.h"
 #include "ui/chart/plot_view.h"
 #include "ui/form/number_field.h"
 #include "ui/kit/font_size.h"
