@@ -402,8 +402,9 @@ private slots:
         p.batch->scenarios = Scenarios::corners;
         p.batch->factors.wheel_phase_deg = usualFactor(FactorKind::wheelPhase, p);
         const ScenarioSource corners(p);
-        QCOMPARE(corners.project(0).wheel->runout->phase_deg, 0.0);
-        QCOMPARE(corners.project(1).wheel->runout->phase_deg, 180.0);
+        const Project first = corners.project(0), second = corners.project(1);
+        QCOMPARE(first.wheel->runout->phase_deg, 0.0);
+        QCOMPARE(second.wheel->runout->phase_deg, 180.0);
     }
 
     void wavinessLeavesOutTheLowerOrders() {

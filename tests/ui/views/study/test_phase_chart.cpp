@@ -141,9 +141,9 @@ private slots:
         compareCurve(plot.chart().find(PhaseChart::smallestKey)->points, decided.pieces,
                      smallestOf);
         QVERIFY(!decided.failing.empty());
-        for (const auto& [stocks, status, worst] : decided.failing) { // neighbours as one
-            QVERIFY(std::ranges::any_of(bench.failing(), [&stocks](const ChartSpan& hatched) {
-                return hatched.low <= stocks.from_mm && stocks.to_mm <= hatched.high;
+        for (const FailingStocks& each : decided.failing) { // neighbours as one
+            QVERIFY(std::ranges::any_of(bench.failing(), [&each](const ChartSpan& hatched) {
+                return hatched.low <= each.stocks.from_mm && each.stocks.to_mm <= hatched.high;
             }));
         }
         for (const ChartSpan& hatched : bench.failing()) {
