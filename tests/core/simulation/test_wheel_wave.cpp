@@ -44,6 +44,7 @@ Project shaft(double ratio, int radii, int sparkOuts) {
     p.material->flow_stress_mpa = 2000;
     p.material->burn_rise_k.reset();
     p.sections = 1;
+    p.gauge->rule = GaugeRule::mean;
     p.machine->compliance_mm_per_n = std::vector<double>{6e-5};
     p.machine->geometric_runout_um = 0;
     p.machine->work_speed_rpm = workSpeed_rpm;
@@ -378,7 +379,7 @@ private slots:
     /// Every stock is decided at four angles of the wheel, by the verdict, the search and the
     /// remedies alike; corners of a batch are two angles.
     void everyStockIsDecidedAtFourAngles() {
-        Project p = shaft(8.3, 204, 0);
+        Project p = shaft(8.3, 204, 5);
         p.wheel->runout->amplitude_um = 3;
         p.part->initial_runout_mm = 0.03;
         p.part->profile = ProfileForm::ellipse;
@@ -439,8 +440,9 @@ private slots:
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (all[i].requirement && all[i].requirement->kind == ConstraintKind::waviness) {
                 const Moments moments = momentsOf(batch.statistics.values[i]);
-                QVERIFY(within(moments.mean, 2 * amplitude_um, 0.01));
-                QVERIFY(moments.deviation < 0.01);
+                // Twelve radii a wave state its height to 3.4 %, by where they lie on it.
+                QVERIFY(within(moments.mean, 2 * amplitude_um, 0.034));
+                QVERIFY(moments.deviation < 0.017);
                 isFound = true;
             }
         }
