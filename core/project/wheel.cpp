@@ -387,7 +387,7 @@ const StructInfo& tableOf<WheelRunout>() {
             .hint = SPARKOUT_NOOP("Input", "Mass out of balance times its radius, as it has become "
                                            "since the last dressing. It acts as a force on the "
                                            "wheel head, whose stiffness it needs."),
-            .formula = "e = U·ω²/j_w·1/|1 − (ω/ω_0)²|", .source = "HON174"),
+            .formula = "e = U·ω²/(j_w·abs(1 − (ω/ω_0)²))", .source = "HON174"),
         SPARKOUT_FIELD(
             WheelRunout, balance_grade_mm_s, .label = SPARKOUT_NOOP("Input", "Balance grade"),
             .symbol = "G", .unit = "mm/s", .hard = {0, 4000, true}, .soft = {0.1, 16},

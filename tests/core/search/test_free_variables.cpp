@@ -39,6 +39,7 @@ Project freeCase(unsigned seed) {
     const bool traverse = p.operation == Operation::traverse;
     if (dice.chance(0.4)) {
         asked.work_speed_rpm = std::vector<double>{dice.uniform(100, 200), dice.uniform(150, 300)};
+        asked.least_ratio_distance = 1e-6; // not the default: also at whole ratios
     }
     if (traverse && dice.chance(0.3)) {
         asked.dwell_entry_s = std::vector<double>{0, dice.uniform(0.2, 1)};
@@ -200,6 +201,11 @@ private slots:
         const double wheel_rpm = wheelSpeed_rpm(p);
         const double whole = wheel_rpm / 7, close = wheel_rpm / 7.04, off = wheel_rpm / 7.5;
         p.optimisation->work_speed_rpm = std::vector<double>{whole, close, off};
+        QCOMPARE(Variants(p).count(), std::size_t{1}); // by default, the runout is not given
+        p.wheel->runout.emplace().amplitude_um = 1;
+        QCOMPARE(Variants(p).count(), std::size_t{3});
+        p.wheel->runout.reset();
+        p.optimisation->least_ratio_distance = 1e-6;
         QCOMPARE(Variants(p).count(), std::size_t{3});
         p.optimisation->least_ratio_distance = 0.05;
         QCOMPARE(Variants(p).count(), std::size_t{1});
@@ -364,6 +370,7 @@ private slots:
 
     void aGridOfTooManyVariantsIsRefused() {
         Project p = driven(0.6);
+        p.optimisation->least_ratio_distance = 1e-6;
         p.optimisation->work_speed_rpm = SteppedLevels{100, 200, 0.1};
         QVERIFY(Variants(p).fault() == GridFault::tooManyVariants);
         QVERIFY(search(p).status == SearchStatus::infeasible);

@@ -44,7 +44,8 @@ inline double rounding(double programmed_mm, double passes) {
 inline Project read(const nlohmann::json& json) {
     const ReadResult result = readProject(json.dump());
     if (!result.project) {
-        const Issue issue = result.issues.empty() ? Issue{} : result.issues.front();
+        const auto error = std::ranges::find(result.issues, Severity::error, &Issue::severity);
+        const Issue issue = error == result.issues.end() ? Issue{} : *error;
         throw std::runtime_error("refused: " + issue.path + " " + issueSentence(issue));
     }
     return *result.project;

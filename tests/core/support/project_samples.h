@@ -48,9 +48,9 @@ inline std::filesystem::path sourcePath(const std::string& path) {
 
 /// Names of tests/data/projects: valid projects; "everything" gives every key of the tables.
 inline const std::vector<std::string>& names() {
-    static const std::vector<std::string> all{"complete",          "everything",
-                                              "internal-plunge",   "smallest-plunge",
-                                              "smallest-traverse", "stiffness-traverse"};
+    static const std::vector<std::string> all{
+        "balance-grade-traverse", "complete",          "everything",         "internal-plunge",
+        "smallest-plunge",        "smallest-traverse", "stiffness-traverse", "unbalanced-traverse"};
     return all;
 }
 
