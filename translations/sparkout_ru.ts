@@ -2060,7 +2060,7 @@
         </message>
         <message>
             <source>Waves of the wheel</source>
-            <translation>Волн круга</translation>
+            <translation>Число волн круга</translation>
         </message>
         <message>
             <source>Number of waves around the wheel that this would take.</source>

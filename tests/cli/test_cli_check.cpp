@@ -137,6 +137,7 @@ private:
         file["machine"]["limits"] = json::object();
         if (path.endsWith("waviness_um")) {
             file["wheel"]["runout"] = {{"amplitude_um", 2}};
+            file["part"]["radii_per_section"] = 72;
         }
         if (path.startsWith("/machine/limits/")) {
             const std::string range = path.section('/', 3, 3).toStdString();

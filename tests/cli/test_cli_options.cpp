@@ -147,7 +147,9 @@ private slots:
         const Program& of = programNamed(program);
         const Value& value = rowOf(of, command, option).value;
         const bool fromZero = value.low == aboveZero;
-        const int digits = value.kind == manual::Kind::number ? 3 : 0;
+        const bool isDecimal =
+            value.kind == manual::Kind::number || value.kind == manual::Kind::numbers;
+        const int digits = isDecimal ? 3 : 0;
         const auto said = [&](const QString& text) {
             return faultOf(of, command + QStringList{"a", option, text});
         };

@@ -2,6 +2,7 @@
 #include "ui/inputs/project_model.h"
 
 #include "core/file/safe_file.h"
+#include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/study/operation.h"
@@ -432,6 +433,9 @@ std::optional<Project> ProjectModel::changedProject(const std::string& path,
     if (after.sections != before.sections) {
         // Compares with the value before typing began: 12 must not go through 1.
         return withSections(m_document.beforeEditsOf(QString::fromStdString(path)), after.sections);
+    }
+    if (path != "/part/radii_per_section") {
+        resolveWaves(after);
     }
     return after.part->surface != before.part->surface ? withComputable(std::move(after)) : after;
 }

@@ -3,7 +3,6 @@
 
 #include "core/batch/batch_summary.h"
 #include "core/project/part.h"
-#include "core/quality/constraints.h"
 #include "ui/measured/measured_text.h"
 #include "ui/table/csv_table.h"
 #include "ui/text/field_text.h"

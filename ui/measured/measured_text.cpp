@@ -3,7 +3,6 @@
 
 #include "core/project/measured.h"
 #include "core/project/project.h"
-#include "core/quality/constraints.h"
 #include "core/simulation/result.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"

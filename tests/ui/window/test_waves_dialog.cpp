@@ -2,6 +2,7 @@
 // Labels: numbers
 // The causes of counted waves in the window: those of the engine, for what is typed.
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
@@ -9,6 +10,8 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/form/number_field.h"
+#include "ui/inputs/project_model.h"
+#include "ui/session/document.h"
 #include "ui/window/dialogs/waves_dialog.h"
 
 #include <QAction>
@@ -71,6 +74,26 @@ private slots:
         const auto& test = *dialog.findChild<QLabel*>(QStringLiteral("waveTest"));
         QVERIFY2(test.text().contains(QStringLiteral("x")), qPrintable(test.text()));
         QCOMPARE(model.rowCount(), int(sources.size())); // nothing is lost
+    }
+
+    /// An edit that needs more radii takes them, and one undo brings both back.
+    void anEditTakesTheRadiiThatItNeeds() {
+        Bench bench(QStringLiteral("en"));
+        Document& document = bench.window->document();
+        Project project = letter();
+        project.machine->work_speed_rpm = 700; // 4 a turn
+        project.wheel->runout.emplace().amplitude_um = 0.5;
+        project.part->radii_per_section = 48;
+        document.edit(project, {"Edit", "Test"});
+        ProjectModel model(document);
+        const auto speed = [](double value) {
+            return [value](void* owner) { static_cast<Machine*>(owner)->work_speed_rpm = value; };
+        };
+        model.change("/machine/work_speed_rpm", speed(350), false);
+        QCOMPARE(document.project().machine->work_speed_rpm, 350.0);
+        QCOMPARE(document.project().part->radii_per_section, 96);
+        document.undo();
+        QCOMPARE(document.project().part->radii_per_section, 48);
     }
 
     void theMenuOpensItForTheProject() {

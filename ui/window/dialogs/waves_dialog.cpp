@@ -10,10 +10,8 @@
 #include "ui/kit/metrics.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
-#include "ui/text/texts.h"
-#include "words/wave_words.h"
+#include "ui/text/wave_text.h"
 
-#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -21,20 +19,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <cmath>
+#include <algorithm>
 #include <string_view>
 
 namespace sparkout {
 
 namespace {
-
-QString causeText(const WaveCause& cause) {
-    const QString text = QCoreApplication::translate("Waves", textOf(cause));
-    const double number = numberOf(cause);
-    return text.contains(QStringLiteral("%1"))
-               ? text.arg(Names::fixed(number, number == std::floor(number) ? 0 : 1))
-               : text;
-}
 
 /// The first output, the source, as a text, the others but its number as they are.
 ValueTable causesTable(const std::vector<WaveCause>& causes) {
@@ -53,7 +43,7 @@ ValueTable causesTable(const std::vector<WaveCause>& causes) {
         }
     }
     for (const WaveCause& cause : causes) {
-        std::vector<ValueCell> cells{{.text = causeText(cause)}};
+        std::vector<ValueCell> cells{{.text = WaveText::cause(cause)}};
         for (const Output<WaveCause>& row : outputs) {
             if (isShown(row)) {
                 const OutputValue value = row.of(cause);
@@ -61,7 +51,7 @@ ValueTable causesTable(const std::vector<WaveCause>& causes) {
                                               [&](double) { return outputText(row, value); }));
             }
         }
-        table.addRow({.text = causeText(cause)}, std::move(cells));
+        table.addRow({.text = WaveText::cause(cause)}, std::move(cells));
     }
     return table;
 }
@@ -127,7 +117,7 @@ void WavesDialog::find() {
                              Names::fixed(wheelSpeed_rpm(m_project), 0),
                              Names::fixed(test.workSpeed_rpm, 1),
                              Names::fixed(test.wheelSpeed_rpm, 0))
-                    + u' ' + QCoreApplication::translate("Waves", waveTestText()));
+                    + u' ' + WaveText::howToTell());
 }
 
 } // namespace sparkout

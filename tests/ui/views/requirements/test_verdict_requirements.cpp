@@ -67,7 +67,9 @@ private slots:
             QCOMPARE(asked.takeFirst().first().value<std::string>(), each.path);
         }
         Project whole = traverseProject();
-        whole.part->tolerance = {6, 4, 5, 8, 1.25, {}};
+        whole.part->tolerance = {6, 4, 5, 8, 1.25, 3};
+        whole.wheel->runout.emplace().amplitude_um = 0.2;
+        resolveWaves(whole);
         whole.material->burn_rise_k = 600;
         whole.wheel->grain_surface_energy_j_m2 = whole.wheel->bond_surface_energy_j_m2 = 10;
         whole.wheel->grain_modulus_gpa = whole.wheel->bond_modulus_gpa = 300;
