@@ -429,7 +429,7 @@ Field wheelHeadFrequency() {
         .hint = SPARKOUT_NOOP("Input", "Frequency at which the wheel head swings by itself. The "
                                        "nearer the wheel's revolutions are to it, the more an "
                                        "unbalance moves the wheel."),
-        .formula = "e = U·ω²/(j_w·abs(1 − (ω/ω_0)²))", .source = "MODEL-16");
+        .formula = "e = U·ω²/(j_w·√((1 − (ω/ω_0)²)²))", .source = "MODEL-16");
 }
 
 Field zoneCompliance() {

@@ -10,6 +10,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -262,8 +263,8 @@ bool dullnessCounts(const Project& p, const void*) {
 bool isBalanced(const Project& p, const void* owner) {
     return conditions::wheelRunout(p, owner) && !conditions::unbalanced(p, owner);
 }
-bool hasGrade(const Project& p, const void*) {
-    return p.wheel->runout && p.wheel->runout->balance_grade_mm_s;
+bool isNoAmplitude(const Project& p, const void*) {
+    return p.wheel->runout && !p.wheel->runout->amplitude_um;
 }
 
 double sineOf(double angle_deg) {
@@ -362,6 +363,26 @@ const StructInfo& tableOf<MeasuredRa>() {
     return info;
 }
 
+void keepRunoutForm(std::optional<WheelRunout>& runout, std::string_view key) {
+    constexpr std::pair<std::string_view, std::optional<double> WheelRunout::*> forms[] = {
+        {"amplitude_um", &WheelRunout::amplitude_um},
+        {"unbalance_g_mm", &WheelRunout::unbalance_g_mm},
+        {"balance_grade_mm_s", &WheelRunout::balance_grade_mm_s}};
+    const auto given = std::ranges::find(forms, key, [](const auto& form) { return form.first; });
+    if (!runout || given == std::end(forms) || !(*runout.*(given->second))) {
+        return;
+    }
+    for (const auto& [name, form] : forms) {
+        if (name != key) {
+            (*runout.*form).reset();
+        }
+    }
+    constexpr double ordinary_kg = 20; // of a wheel of 500 mm with flanges and spindle
+    if (runout->balance_grade_mm_s && !runout->rotor_mass_kg) {
+        runout->rotor_mass_kg = ordinary_kg;
+    }
+}
+
 template <>
 const StructInfo& tableOf<WheelRunout>() {
     static const std::array rows{
@@ -387,7 +408,7 @@ const StructInfo& tableOf<WheelRunout>() {
             .hint = SPARKOUT_NOOP("Input", "Mass out of balance times its radius, as it has become "
                                            "since the last dressing. It acts as a force on the "
                                            "wheel head, whose stiffness it needs."),
-            .formula = "e = U·ω²/(j_w·abs(1 − (ω/ω_0)²))", .source = "HON174"),
+            .formula = "e = U·ω²/(j_w·√((1 − (ω/ω_0)²)²))", .source = "HON174"),
         SPARKOUT_FIELD(
             WheelRunout, balance_grade_mm_s, .label = SPARKOUT_NOOP("Input", "Balance grade"),
             .symbol = "G", .unit = "mm/s", .hard = {0, 4000, true}, .soft = {0.1, 16},
@@ -399,7 +420,7 @@ const StructInfo& tableOf<WheelRunout>() {
         SPARKOUT_FIELD(
             WheelRunout, rotor_mass_kg, .label = SPARKOUT_NOOP("Input", "Mass of the rotor"),
             .symbol = "M", .unit = "kg", .hard = {0, 10000, true}, .soft = {0.1, 500},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .relevant = hasGrade,
+            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .relevant = isNoAmplitude,
             .page = Page::wheel,
             .hint = SPARKOUT_NOOP("Input", "Mass of the wheel with its flanges and spindle; the "
                                            "balance grade needs it."),

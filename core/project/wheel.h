@@ -44,6 +44,10 @@ struct WheelRunout {
     friend bool operator==(const WheelRunout&, const WheelRunout&) = default;
 };
 
+/// After an edit of one of its three forms, which replaces the others; a grade without a mass takes
+/// an ordinary one.
+void keepRunoutForm(std::optional<WheelRunout>& runout, std::string_view key);
+
 /// Highest calibration factor of Ra.
 inline constexpr double mostRoughnessFactor = 100;
 

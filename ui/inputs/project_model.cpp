@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/member.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/operation.h"
 #include "ui/form/field_editor.h"
 #include "ui/form/number_field.h"
@@ -433,6 +434,9 @@ std::optional<Project> ProjectModel::changedProject(const std::string& path,
     if (after.sections != before.sections) {
         // Compares with the value before typing began: 12 must not go through 1.
         return withSections(m_document.beforeEditsOf(QString::fromStdString(path)), after.sections);
+    }
+    if (path.starts_with("/wheel/runout/")) {
+        keepRunoutForm(after.wheel->runout, std::string_view(path).substr(path.rfind('/') + 1));
     }
     if (path != "/part/radii_per_section") {
         resolveWaves(after);

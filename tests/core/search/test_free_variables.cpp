@@ -205,8 +205,8 @@ private slots:
         p.wheel->runout.emplace().amplitude_um = 1;
         QCOMPARE(Variants(p).count(), std::size_t{3});
         p.wheel->runout.reset();
-        p.optimisation->least_ratio_distance = 1e-6;
-        QCOMPARE(Variants(p).count(), std::size_t{3});
+        p.optimisation->least_ratio_distance = 1e-6; // off the whole ratio alone
+        QCOMPARE(Variants(p).count(), std::size_t{2});
         p.optimisation->least_ratio_distance = 0.05;
         QCOMPARE(Variants(p).count(), std::size_t{1});
         QCOMPARE(searchedSpeeds(p).leftOut, (std::vector<double>{whole, close}));

@@ -593,7 +593,8 @@ private slots:
             QVERIFY(!isAllowed(each));
         }
         QVERIFY(isAllowed(*least->limit) && *least->limit < 150);
-        p.optimisation->least_ratio_distance = 1e-6; // 200 and 250 are levels beyond
+        p.optimisation->least_ratio_distance.reset();
+        p.wheel->runout.emplace(); // no default distance: 200 and 250 are levels beyond
         QVERIFY(!edgeAt(180));
         QVERIFY(edgeAt(250)->isLimit);
         p.optimisation->least_ratio_distance = 0.4; // 179…185 between 5 and 6 revolutions

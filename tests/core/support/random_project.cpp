@@ -610,7 +610,7 @@ json withWheelRunout(json project, std::uint64_t seed) {
     const double speedAtOne = machine["work_speed_rpm"].get<double>() / runout.value("lobes", 1)
                               * std::numbers::pi * project["wheel"]["diameter_mm"].get<double>()
                               / 60'000;
-    const double ratio = std::clamp(random.uniform(3, 12, 2), 1 / speedAtOne, 200 / speedAtOne);
+    const double ratio = std::clamp(random.uniform(3, 12, 2), 1.1 / speedAtOne, 200 / speedAtOne);
     machine["wheel_speed_m_s"] = ratio * speedAtOne;
     int waves = static_cast<int>(std::round(ratio));
     for (int turns = 6; turns > 0; --turns) {

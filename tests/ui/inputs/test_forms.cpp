@@ -180,6 +180,8 @@ private slots:
         project.machine->form.emplace();
         project.wheel->force_recipe.emplace();
         project.wheel->measured_ra.emplace();
+        project.wheel->runout.emplace().amplitude_um = 0.5;
+        resolveWaves(project);
         document.startUntitled(project);
         InputsPanel panel(document);
         panel.resize(360, 640);

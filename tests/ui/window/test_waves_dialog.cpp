@@ -94,6 +94,16 @@ private slots:
         QCOMPARE(document.project().part->radii_per_section, 96);
         document.undo();
         QCOMPARE(document.project().part->radii_per_section, 48);
+        // One form of the runout replaces another.
+        project = document.project();
+        project.machine->stiffness_n_um.emplace();
+        document.edit(project, {"Edit", "Test"});
+        const auto grade = [](void* owner) {
+            static_cast<WheelRunout*>(owner)->balance_grade_mm_s = 1;
+        };
+        model.change("/wheel/runout/balance_grade_mm_s", grade, false);
+        const WheelRunout& runout = *document.project().wheel->runout;
+        QVERIFY(!runout.amplitude_um && runout.balance_grade_mm_s && runout.rotor_mass_kg);
     }
 
     void theMenuOpensItForTheProject() {
