@@ -24,9 +24,9 @@ double angle_rad(double turns) {
 /// U·ω² of the wheel's unbalance [N].
 double unbalanceForce_n(const WheelRunout& runout, double omega) {
     constexpr double kgM_per_gMm = 1e-6, mPerMm = 1e-3;
-    const double U = runout.unbalance_g_mm
-                         ? *runout.unbalance_g_mm * kgM_per_gMm
-                         : *runout.rotor_mass_kg * *runout.balance_grade_mm_s * mPerMm / omega;
+    const double U = runout.unbalance_g_mm ? *runout.unbalance_g_mm * kgM_per_gMm
+                                           : runout.rotor_mass_kg.value_or(0)
+                                                 * *runout.balance_grade_mm_s * mPerMm / omega;
     return U * omega * omega;
 }
 

@@ -263,6 +263,10 @@ bool dullnessCounts(const Project& p, const void*) {
 bool isBalanced(const Project& p, const void* owner) {
     return conditions::wheelRunout(p, owner) && !conditions::unbalanced(p, owner);
 }
+bool hasGrade(const Project& p, const void*) {
+    return p.wheel->runout && p.wheel->runout->balance_grade_mm_s;
+}
+
 bool isNoAmplitude(const Project& p, const void*) {
     return p.wheel->runout && !p.wheel->runout->amplitude_um;
 }
@@ -420,8 +424,8 @@ const StructInfo& tableOf<WheelRunout>() {
         SPARKOUT_FIELD(
             WheelRunout, rotor_mass_kg, .label = SPARKOUT_NOOP("Input", "Mass of the rotor"),
             .symbol = "M", .unit = "kg", .hard = {0, 10000, true}, .soft = {0.1, 500},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .relevant = isNoAmplitude,
-            .page = Page::wheel,
+            .nullMeaning = SPARKOUT_NOOP("Input", "not known"), .required = hasGrade,
+            .relevant = isNoAmplitude, .page = Page::wheel,
             .hint = SPARKOUT_NOOP("Input", "Mass of the wheel with its flanges and spindle; the "
                                            "balance grade needs it."),
             .formula = "U = M·G/ω", .source = "ISO21940"),

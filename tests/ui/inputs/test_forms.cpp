@@ -181,6 +181,7 @@ private slots:
         project.wheel->force_recipe.emplace();
         project.wheel->measured_ra.emplace();
         project.wheel->runout.emplace().amplitude_um = 0.5;
+        project.machine->work_speed_variation.emplace();
         resolveWaves(project);
         document.startUntitled(project);
         InputsPanel panel(document);
