@@ -591,8 +591,8 @@ const StructInfo& tableOf<Machine>() {
                        .formula = "a + γ·P_y(a) = h", .source = "MODEL-3"),
         SPARKOUT_FIELD(
             Machine, stiffness_n_um, .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
-            .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::machine,
-            .usual = true,
+            .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .required = conditions::unbalanced,
+            .page = Page::machine, .usual = true,
             .hint = SPARKOUT_NOOP(
                 "Input", "Headstock, tailstock and wheel head, for a compliance that is computed."),
             .source = "MODEL-6"),
