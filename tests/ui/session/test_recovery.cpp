@@ -426,7 +426,8 @@ private slots:
         });
         qInfo("%d recovery files are listed in %.0f ms", files, time_ms);
         QCOMPARE(left.size(), std::size_t(files));
-        QVERIFY2(time_ms < 1000, qPrintable(QString::number(time_ms)));
+        constexpr double target_ms = 1000;
+        QVERIFY2(time_ms < 4 * target_ms, qPrintable(QString::number(time_ms)));
         QVERIFY(bench.store.claim(left.back())); // the last of them can be recovered, too
     }
 
