@@ -2068,7 +2068,7 @@
         </message>
         <message>
             <source>Turns of the work</source>
-            <translation>Обороты детали</translation>
+            <translation>Оборотов</translation>
         </message>
         <message>
             <source>After so many turns the waves meet those before.</source>
@@ -2076,11 +2076,11 @@
         </message>
         <message>
             <source>Waves it would leave</source>
-            <translation>Сколько волн оставил бы</translation>
+            <translation>Волн оставит</translation>
         </message>
         <message>
             <source>At the other work speed</source>
-            <translation>При другой частоте детали</translation>
+            <translation>При другой частоте заготовки</translation>
         </message>
         <message>
             <source>At the other wheel speed</source>

@@ -14,6 +14,7 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -77,6 +78,10 @@ WavesDialog::WavesDialog(const Project& project, Settings& settings, QWidget* pa
     m_table->setObjectName(QStringLiteral("waveCauses"));
     m_table->setAccessibleName(windowTitle());
     m_table->setArrangeable(&settings);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setMinimumSectionSize(atFontSize(70));
+    m_table->setWordWrap(false);
     m_test->setObjectName(QStringLiteral("waveTest"));
     m_test->setTextFormat(Qt::PlainText);
     m_test->setWordWrap(true);
@@ -95,7 +100,7 @@ WavesDialog::WavesDialog(const Project& project, Settings& settings, QWidget* pa
     layout->addWidget(m_table, 1);
     layout->addWidget(m_test);
     layout->addWidget(buttons);
-    resize(atFontSize(760), atFontSize(420));
+    resize(atFontSize(980), atFontSize(380));
     find();
 }
 
