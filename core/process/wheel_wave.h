@@ -47,8 +47,8 @@ struct WheelWave {
 /// is not given.
 [[nodiscard]] double wheelAmplitude_mm(const Project& project);
 
-/// The factor by which an unbalance moves the wheel head near its natural frequency is no greater:
-/// that of a damping ratio of 0.05, an estimate.
+/// Greatest factor by which an unbalance moves the wheel head near its natural frequency: that of a
+/// damping ratio of 0.05, an estimate.
 inline constexpr double mostResonance = 10;
 
 } // namespace sparkout

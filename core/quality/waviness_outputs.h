@@ -16,7 +16,7 @@ namespace sparkout {
 /// The waves of a zone or section, of its most wavy section.
 struct PlaceWaves {
     int order = 0; ///< number of waves that the wheel prints
-    /// Empty where the radii do not resolve the waves, or strips stay uncut.
+    /// Empty where strips stay uncut, or the project is not valid.
     std::optional<Waviness> waves;
 
     [[nodiscard]] const Harmonic* largest() const;

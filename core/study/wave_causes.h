@@ -37,9 +37,9 @@ struct WaveInquiry {
     std::vector<double> frequencies_hz; ///< known in the machine and around it
 };
 
-/// The test that tells the causes apart: a higher work speed, at which what moves with time leaves
-/// a whole number of waves fewer, two and 3 % at least, and a lower wheel speed, at which the wheel
-/// does.
+/// The test that distinguishes the causes: a higher work speed, at which what moves with time
+/// leaves a whole number of waves fewer, two and 3 % at least, and a lower wheel speed, at which
+/// the wheel does.
 struct WaveTest {
     double workSpeed_rpm = 0, wheelSpeed_rpm = 0;
 };
